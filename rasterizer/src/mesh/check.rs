@@ -1,0 +1,129 @@
+//! The checks that make a mesh safe to draw.
+
+use super::{Tables, Triangles};
+
+/// What is wrong with a model's tables.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum MeshError {
+    /// There is no vertex.
+    NoVertices,
+    /// There are more vertices than an index of 16 bits can name.
+    TooManyVertices,
+    /// There is no triangle.
+    NoTriangles,
+    /// A triangle names a vertex that does not exist.
+    IndexOutOfRange {
+        /// The triangle's place in the table, from 0.
+        triangle: usize,
+    },
+    /// `vertex_normals` is neither empty nor as long as `positions`.
+    VertexNormalCount,
+    /// `face_normals` is neither empty nor as long as `triangles`.
+    FaceNormalCount,
+    /// `texture_coordinates` is neither empty nor as long as `positions`.
+    TextureCoordinateCount,
+    /// `texture_fraction_bits` is over 16.
+    TextureFractionBits,
+    /// The materials' triangle counts do not add up to the number of triangles.
+    MaterialCoverage,
+}
+
+impl MeshError {
+    /// What is wrong and what to change, in one line.
+    #[must_use]
+    pub const fn message(self) -> &'static str {
+        match self {
+            Self::NoVertices => "the mesh has no vertices",
+            Self::TooManyVertices => "the mesh has more than 65,536 vertices: split it into several",
+            Self::NoTriangles => "the mesh has no triangles",
+            Self::IndexOutOfRange { .. } => "a triangle names a vertex past the end of `positions`",
+            Self::VertexNormalCount => "`vertex_normals` must be empty or as long as `positions`",
+            Self::FaceNormalCount => "`face_normals` must be empty or as long as `triangles`",
+            Self::TextureCoordinateCount => "`texture_coordinates` must be empty or as long as `positions`",
+            Self::TextureFractionBits => "`texture_fraction_bits` must be 16 or less",
+            Self::MaterialCoverage => "the materials' `triangle_count`s must add up to the number of triangles",
+        }
+    }
+}
+
+impl core::fmt::Display for MeshError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.message())?;
+        if let Self::IndexOutOfRange { triangle } = self {
+            write!(f, " (triangle {triangle})")?;
+        }
+        Ok(())
+    }
+}
+
+impl core::error::Error for MeshError {}
+
+/// Checks everything that drawing relies on.
+pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
+    let vertices = tables.positions.len();
+    if vertices == 0 {
+        return Err(MeshError::NoVertices);
+    }
+    if vertices > 1 << 16 {
+        return Err(MeshError::TooManyVertices);
+    }
+    if tables.triangles.is_empty() {
+        return Err(MeshError::NoTriangles);
+    }
+    if let Err(error) = indices(&tables.triangles, vertices) {
+        return Err(error);
+    }
+    if !is_empty_or(tables.vertex_normals.len(), vertices) {
+        return Err(MeshError::VertexNormalCount);
+    }
+    if !is_empty_or(tables.face_normals.len(), tables.triangles.len()) {
+        return Err(MeshError::FaceNormalCount);
+    }
+    if !is_empty_or(tables.texture_coordinates.len(), vertices) {
+        return Err(MeshError::TextureCoordinateCount);
+    }
+    if tables.texture_fraction_bits > 16 {
+        return Err(MeshError::TextureFractionBits);
+    }
+    materials(tables)
+}
+
+const fn is_empty_or(length: usize, partner: usize) -> bool {
+    length == 0 || length == partner
+}
+
+/// `for` is not allowed in a `const fn`, hence the counted loops.
+const fn indices(triangles: &Triangles<'_>, vertices: usize) -> Result<(), MeshError> {
+    let mut triangle = 0;
+    while triangle < triangles.len() {
+        let in_range = match triangles {
+            Triangles::U8(t) => {
+                let [a, b, c] = t[triangle];
+                (a as usize) < vertices && (b as usize) < vertices && (c as usize) < vertices
+            }
+            Triangles::U16(t) => {
+                let [a, b, c] = t[triangle];
+                (a as usize) < vertices && (b as usize) < vertices && (c as usize) < vertices
+            }
+        };
+        if !in_range {
+            return Err(MeshError::IndexOutOfRange { triangle });
+        }
+        triangle += 1;
+    }
+    Ok(())
+}
+
+const fn materials(tables: &Tables<'_>) -> Result<(), MeshError> {
+    let mut covered: u64 = 0;
+    let mut material = 0;
+    while material < tables.materials.len() {
+        covered += tables.materials[material].triangle_count as u64;
+        material += 1;
+    }
+    if covered == tables.triangles.len() as u64 {
+        Ok(())
+    } else {
+        Err(MeshError::MaterialCoverage)
+    }
+}

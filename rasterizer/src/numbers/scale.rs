@@ -1,0 +1,59 @@
+//! A positive scale factor of any magnitude.
+
+/// `mantissa * 2^exponent`.
+///
+/// A model may measure a thousandth of a unit or a million: the length of one quantum of its tables needs more range
+/// than a fixed-point number has, and keeps 32 bits of precision in this form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Scale {
+    mantissa: u32,
+    exponent: i32,
+}
+
+impl Scale {
+    /// One unit a quantum.
+    pub const ONE: Self = Self::new(1, 0);
+
+    /// `mantissa * 2^exponent`, normalised so that the mantissa's top bit is set.
+    ///
+    /// # Panics
+    ///
+    /// If the mantissa is 0, or the exponent is so extreme that no model can have it (beyond ±1,000).
+    #[must_use]
+    pub const fn new(mantissa: u32, exponent: i32) -> Self {
+        assert!(mantissa != 0, "a scale of 0 leaves nothing to draw");
+        assert!(
+            exponent.unsigned_abs() <= 1000,
+            "the exponent of a scale is at most 1,000"
+        );
+        let shift = mantissa.leading_zeros();
+        Self {
+            mantissa: mantissa << shift,
+            exponent: exponent - shift as i32,
+        }
+    }
+
+    /// The mantissa: 2<sup>31</sup> to 2<sup>32</sup> - 1.
+    #[must_use]
+    pub const fn mantissa(self) -> u32 {
+        self.mantissa
+    }
+
+    /// The exponent that goes with [`mantissa`](Self::mantissa).
+    #[must_use]
+    pub const fn exponent(self) -> i32 {
+        self.exponent
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normalised() {
+        assert_eq!(Scale::new(1, 0), Scale::new(2, -1));
+        assert_eq!(Scale::new(3, 5).mantissa(), 3 << 30);
+        assert_eq!(Scale::new(3, 5).exponent(), 5 - 30);
+    }
+}
