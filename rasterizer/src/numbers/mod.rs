@@ -1,7 +1,33 @@
-//! The numbers everything else is made of.
+//! The numbers everything else is made of: Q formats, vectors, rotations, and the kernels behind them.
+//!
+//! | type | format | for |
+//! |---|---|---|
+//! | [`Scalar`] | Q16.16 | world coordinates |
+//! | [`Angle`] | Q0.32 turns | angles |
+//! | [`Rotation`] | Q2.30 | matrices of length-one rows |
+//! | [`Scale`] | 32-bit mantissa, exponent | the length of a mesh's quantum |
+//!
+//! Errors of the kernels, each tested: reciprocal 2<sup>-27</sup> of its value over all mantissas, inverse square root
+//! 2<sup>-28</sup>, sine and cosine 2<sup>-28</sup>, rotations orthonormal to 2<sup>-26</sup>.
 
+mod angle;
+mod divide;
+mod float;
+mod interchange;
+mod multiply;
+mod reciprocal;
+mod root;
+mod rotation;
 mod scale;
 mod vector;
 
+pub use angle::Angle;
+pub(crate) use divide::Divisor;
+pub(crate) use float::Float;
+pub(crate) use multiply::{mul_high, mul_high_unsigned};
+pub(crate) use reciprocal::Reciprocal;
+pub(crate) use root::unit;
+pub use rotation::Rotation;
+pub(crate) use rotation::cross;
 pub use scale::Scale;
 pub use vector::{Scalar, Vec3};

@@ -1,0 +1,160 @@
+//! Angles, sine and cosine.
+
+use core::ops::{Add, Neg, Sub};
+
+use fixed::types::I2F30;
+
+/// An angle in turns: Q0.32, so that it wraps round by itself. 2<sup>32</sup> steps make a turn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Angle(u32);
+
+impl Angle {
+    /// No turn at all.
+    pub const ZERO: Self = Self(0);
+    /// A quarter of a turn, 90 degrees.
+    pub const QUARTER: Self = Self(1 << 30);
+
+    /// `numerator / denominator` of a turn, rounded down.
+    ///
+    /// # Panics
+    ///
+    /// If the denominator is 0.
+    #[must_use]
+    pub const fn turns(numerator: u32, denominator: u32) -> Self {
+        Self((((numerator as u64) << 32) / denominator as u64) as u32)
+    }
+
+    /// Whole degrees.
+    #[must_use]
+    pub const fn degrees(degrees: u32) -> Self {
+        Self::turns(degrees % 360, 360)
+    }
+
+    /// From steps of 2<sup>-32</sup> turn.
+    #[must_use]
+    pub const fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
+    /// In steps of 2<sup>-32</sup> turn.
+    #[must_use]
+    pub const fn to_bits(self) -> u32 {
+        self.0
+    }
+
+    /// Half the angle.
+    #[must_use]
+    pub const fn half(self) -> Self {
+        Self(self.0 / 2)
+    }
+
+    /// The sine in Q30, within 2<sup>-28</sup>.
+    #[must_use]
+    pub const fn sin(self) -> I2F30 {
+        I2F30::from_bits(sine(self.0))
+    }
+
+    /// The cosine in Q30, within 2<sup>-28</sup>.
+    #[must_use]
+    pub const fn cos(self) -> I2F30 {
+        I2F30::from_bits(sine(self.0.wrapping_add(1 << 30)))
+    }
+}
+
+impl Add for Angle {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self(self.0.wrapping_add(other.0))
+    }
+}
+
+impl Sub for Angle {
+    type Output = Self;
+
+    fn sub(self, other: Self) -> Self {
+        Self(self.0.wrapping_sub(other.0))
+    }
+}
+
+impl Neg for Angle {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self(self.0.wrapping_neg())
+    }
+}
+
+/// sin(x pi/2) = x P(x^2) on [-1, 1] in Q30: the polynomial that meets the sine in the Chebyshev nodes of degree 12,
+/// within 2.7e-11 (2^-35) of it before rounding.
+const SINE: [i32; 6] = [1_686_629_713, -693_598_666, 85_569_282, -5_026_892, 172_072, -3_685];
+
+/// The sine of `turns` / 2^32 of a turn, in Q30.
+const fn sine(turns: u32) -> i32 {
+    // Half turns in Q31, folded at the quarters, where the sine is symmetric: quarter turns in Q30.
+    let half_turns = turns as i32;
+    let x = if half_turns > 1 << 30 || half_turns < -(1 << 30) {
+        (1u32 << 31).wrapping_sub(turns) as i32
+    } else {
+        half_turns
+    };
+    let square = multiply(x, x);
+    let mut sum = SINE[5];
+    let mut term = 5;
+    while term > 0 {
+        term -= 1;
+        sum = multiply(sum, square) + SINE[term];
+    }
+    let sine = multiply(sum, x);
+    if sine > 1 << 30 {
+        1 << 30
+    } else if sine < -(1 << 30) {
+        -(1 << 30)
+    } else {
+        sine
+    }
+}
+
+/// A product of Q30 numbers, rounded.
+const fn multiply(a: i32, b: i32) -> i32 {
+    ((a as i64 * b as i64 + (1 << 29)) >> 30) as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Steps of 4,099 visit a million angles, with every remainder of the folding and rounding.
+    #[test]
+    fn sine_and_cosine_are_within_their_bound() {
+        for bits in (0..=u32::MAX).step_by(4099) {
+            let angle = Angle(bits);
+            let radians = f64::from(bits) / 2f64.powi(32) * core::f64::consts::TAU;
+            assert!(
+                (angle.sin().to_num::<f64>() - radians.sin()).abs() < 2f64.powi(-28),
+                "sin {bits}"
+            );
+            assert!(
+                (angle.cos().to_num::<f64>() - radians.cos()).abs() < 2f64.powi(-28),
+                "cos {bits}"
+            );
+        }
+    }
+
+    #[test]
+    fn quarters_are_exact() {
+        let [zero, one] = [I2F30::ZERO, I2F30::ONE];
+        let quarters = [(0, zero, one), (1, one, zero), (2, zero, -one), (3, -one, zero)];
+        for (quarter, sin, cos) in quarters {
+            let angle = Angle::turns(quarter, 4);
+            assert_eq!((angle.sin(), angle.cos()), (sin, cos), "{quarter} quarters");
+        }
+    }
+
+    #[test]
+    fn wraps() {
+        assert_eq!(Angle::turns(7, 8) + Angle::QUARTER, Angle::turns(1, 8));
+        assert_eq!(Angle::turns(1, 8) - Angle::QUARTER, Angle::turns(7, 8));
+        assert_eq!(-Angle::QUARTER, Angle::turns(3, 4));
+    }
+}

@@ -1,0 +1,144 @@
+//! Numbers of any magnitude with 31 bits of precision, for what is worked out once a frame: matrices and planes.
+//!
+//! No vertex and no pixel sees them. They let a scene measure a thousandth of a unit or ten thousand, and still hand
+//! the vertex loop integers that use all their bits.
+
+use super::{Scale, reciprocal::Reciprocal};
+
+/// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Float {
+    pub(crate) mantissa: i32,
+    pub(crate) exponent: i32,
+}
+
+impl Float {
+    pub(crate) const ZERO: Self = Self {
+        mantissa: 0,
+        exponent: 0,
+    };
+
+    /// `value * 2^exponent`, rounded to 31 bits.
+    pub(crate) const fn new(value: i64, exponent: i32) -> Self {
+        if value == 0 {
+            return Self::ZERO;
+        }
+        let bits = 64 - value.unsigned_abs().leading_zeros() as i32;
+        let shift = bits - 31;
+        let mantissa = if shift > 0 {
+            // Rounding may carry into one bit more, which the next line takes back.
+            ((value >> (shift - 1)) + 1) >> 1
+        } else {
+            value << -shift
+        };
+        if mantissa.unsigned_abs() >> 31 != 0 {
+            Self {
+                mantissa: (mantissa >> 1) as i32,
+                exponent: exponent + shift + 1,
+            }
+        } else {
+            Self {
+                mantissa: mantissa as i32,
+                exponent: exponent + shift,
+            }
+        }
+    }
+
+    pub(crate) const fn from_scale(scale: Scale) -> Self {
+        Self::new(scale.mantissa() as i64, scale.exponent())
+    }
+
+    pub(crate) const fn times(self, other: Self) -> Self {
+        Self::new(
+            self.mantissa as i64 * other.mantissa as i64,
+            self.exponent + other.exponent,
+        )
+    }
+
+    /// 1 / self, of a positive number, within 2<sup>-29</sup>.
+    pub(crate) const fn reciprocal(self) -> Self {
+        let value = self.mantissa.unsigned_abs();
+        let reciprocal = Reciprocal::of(value);
+        Self::new(
+            reciprocal.refined_mantissa(value) as i64,
+            reciprocal.leading_zeros as i32 - 62 - self.exponent,
+        )
+    }
+
+    /// The least n for which the number's magnitude is below 2<sup>n</sup>; very small for 0.
+    pub(crate) const fn magnitude(self) -> i32 {
+        if self.mantissa == 0 {
+            -100_000
+        } else {
+            self.exponent + 31
+        }
+    }
+
+    /// In units of 2<sup>`exponent`</sup>, rounded, saturating at the ends of `i32`.
+    pub(crate) const fn in_units_of(self, exponent: i32) -> i32 {
+        let shift = self.exponent - exponent;
+        if self.mantissa == 0 || shift < -32 {
+            0
+        } else if shift < 0 {
+            (((self.mantissa as i64 >> (-shift - 1)) + 1) >> 1) as i32
+        } else if shift == 0 {
+            self.mantissa
+        } else if self.mantissa > 0 {
+            i32::MAX
+        } else {
+            i32::MIN
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn f64_of(x: Float) -> f64 {
+        f64::from(x.mantissa) * 2f64.powi(x.exponent)
+    }
+
+    #[test]
+    fn keeps_31_bits() {
+        for value in [
+            1i64,
+            -1,
+            3,
+            i64::MAX,
+            i64::MIN + 1,
+            0x7FFF_FFFF,
+            0x7FFF_FFFF_8000_0000,
+            -0x1_0000_0000,
+        ] {
+            let x = Float::new(value, -7);
+            assert!(
+                (30..=31).contains(&(32 - x.mantissa.unsigned_abs().leading_zeros())),
+                "{value}"
+            );
+            let relative = f64_of(x) / (value as f64 / 128.0) - 1.0;
+            assert!(relative.abs() <= 2f64.powi(-31), "{value}: {relative}");
+        }
+    }
+
+    #[test]
+    fn products_and_reciprocals() {
+        let three = Float::new(3, 0);
+        let tenth = Float::new(10, 0).reciprocal();
+        assert!((f64_of(three.times(tenth)) - 0.3).abs() < 2f64.powi(-30));
+        assert!((f64_of(Float::new(7, 300).reciprocal()) * 7.0 * 2f64.powi(300) - 1.0).abs() < 2f64.powi(-29));
+    }
+
+    #[test]
+    fn units_round_and_saturate() {
+        let x = Float::new(-5, -1);
+        assert_eq!(x.in_units_of(-1), -5);
+        assert_eq!(x.in_units_of(0), -2);
+        assert_eq!(x.in_units_of(3), 0);
+        assert_eq!(x.in_units_of(-40), i32::MIN);
+        assert_eq!(Float::new(1, 0).in_units_of(-40), i32::MAX);
+        assert_eq!(Float::ZERO.in_units_of(-40), 0);
+        assert_eq!(Float::new(1, -100).in_units_of(0), 0);
+        assert_eq!(x.magnitude(), 2);
+    }
+}

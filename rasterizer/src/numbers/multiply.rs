@@ -1,0 +1,96 @@
+//! The upper half of a 32 x 32 bit product.
+//!
+//! ARMv6-M has no multiplication that gives more than 32 bits: the compiler would call a routine that multiplies
+//! 64 by 64 bits (some 50 instructions). Four products of 16-bit halves need 17 (Warren, *Hacker's Delight*, 2nd ed.,
+//! section 8-2). Both forms give the same bits, so a frame is the same on every core.
+
+/// ⌊a b / 2<sup>32</sup>⌋.
+#[inline(always)]
+pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
+    if LONG_MULTIPLY {
+        ((a as i64 * b as i64) >> 32) as i32
+    } else {
+        mul_high_by_halves(a, b)
+    }
+}
+
+/// ⌊a b / 2<sup>32</sup>⌋ without signs.
+#[inline(always)]
+pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
+    if LONG_MULTIPLY {
+        ((a as u64 * b as u64) >> 32) as u32
+    } else {
+        mul_high_unsigned_by_halves(a, b)
+    }
+}
+
+/// Whether the core multiplies 32 by 32 bits to 64. Among ARM targets those without it are the ones without atomic
+/// read-modify-write instructions (ARMv6-M, ARMv4T), which is what a stable compiler lets one ask for.
+const LONG_MULTIPLY: bool = cfg!(not(all(target_arch = "arm", not(target_has_atomic = "32"))));
+
+#[inline(always)]
+const fn mul_high_by_halves(a: i32, b: i32) -> i32 {
+    let (a_low, a_high) = (a & 0xFFFF, a >> 16);
+    let (b_low, b_high) = (b & 0xFFFF, b >> 16);
+    let low = a_low.wrapping_mul(b_low) as u32;
+    let middle = a_high.wrapping_mul(b_low).wrapping_add((low >> 16) as i32);
+    let other = a_low.wrapping_mul(b_high).wrapping_add(middle & 0xFFFF);
+    a_high
+        .wrapping_mul(b_high)
+        .wrapping_add(middle >> 16)
+        .wrapping_add(other >> 16)
+}
+
+#[inline(always)]
+const fn mul_high_unsigned_by_halves(a: u32, b: u32) -> u32 {
+    let (a_low, a_high) = (a & 0xFFFF, a >> 16);
+    let (b_low, b_high) = (b & 0xFFFF, b >> 16);
+    let middle = a_high * b_low + ((a_low * b_low) >> 16);
+    let other = a_low * b_high + (middle & 0xFFFF);
+    a_high * b_high + (middle >> 16) + (other >> 16)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const CORNERS: [u32; 12] = [
+        0,
+        1,
+        2,
+        0x7FFF,
+        0xFFFF,
+        0x1_0000,
+        0x1_0001,
+        0x7FFF_FFFF,
+        0x8000_0000,
+        0x8000_0001,
+        0xFFFF_0000,
+        0xFFFF_FFFF,
+    ];
+
+    #[test]
+    fn halves_equal_the_long_product() {
+        let mut random: u32 = 12345;
+        let mut next = || {
+            random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            random ^ random >> 13
+        };
+        let mut check = |a: u32, b: u32| {
+            assert_eq!(
+                mul_high_unsigned_by_halves(a, b),
+                ((u64::from(a) * u64::from(b)) >> 32) as u32
+            );
+            let (a, b) = (a.cast_signed(), b.cast_signed());
+            assert_eq!(mul_high_by_halves(a, b), ((i64::from(a) * i64::from(b)) >> 32) as i32);
+        };
+        for a in CORNERS {
+            for b in CORNERS {
+                check(a, b);
+            }
+        }
+        for _ in 0..1_000_000 {
+            check(next(), next());
+        }
+    }
+}

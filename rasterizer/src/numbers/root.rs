@@ -1,0 +1,107 @@
+//! The inverse square root, from a table and three Newton steps, and what it is for: unit vectors.
+
+/// The inverse square root in the middle of each of 96 intervals of [1/4, 1), in 256ths, less 256.
+const SEED: [u8; 96] = {
+    let mut seed = [0; 96];
+    let mut interval = 0;
+    while interval < 96 {
+        // The middle of the interval is (2 (i + 32) + 1) / 256; 256 times its inverse root, rounded.
+        let middle = 2 * (interval as u64 + 32) + 1;
+        let twice = ((1u64 << 26) / middle).isqrt();
+        seed[interval] = (twice.div_ceil(2) - 256) as u8;
+        interval += 1;
+    }
+    seed
+};
+
+/// 1 / √`value` as `(mantissa, exponent)`, standing for `mantissa * 2^exponent`.
+///
+/// The mantissa lies from 2<sup>30</sup> to 2<sup>31</sup>, and its relative error is below 2<sup>-28</sup>: the table's
+/// 2<sup>-6.8</sup> becomes 1.5 e<sup>2</sup> at each step until the 30 bits of the arithmetic are used up. The root of 0 is taken as that of 1.
+pub(crate) const fn inverse_square_root(value: u64) -> (u32, i32) {
+    let value = if value == 0 { 1 } else { value };
+    // Normalised by an even shift to m / 2^32 in [1/4, 1).
+    let zeros = value.leading_zeros() & !1;
+    let m = (value << zeros) >> 32;
+    (mantissa(m), zeros as i32 / 2 - 62)
+}
+
+/// 2^46 / sqrt(m) for 2^30 <= m < 2^32.
+const fn mantissa(m: u64) -> u32 {
+    let mut y = (256 + SEED[(m >> 25) as usize - 32] as u64) << 22;
+    let mut step = 0;
+    while step < 3 {
+        // y (3 - m y^2) / 2 in Q30
+        let square = (y * y) >> 30;
+        let near_one = (m * square) >> 32;
+        y = (y * ((3 << 30) - near_one)) >> 31;
+        step += 1;
+    }
+    y as u32
+}
+
+/// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>; nothing for a zero vector.
+pub(crate) fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
+    let largest = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
+    if largest == 0 {
+        return None;
+    }
+    // To 30 bits, so that three squares add up in 64.
+    let shift = 34 - largest.leading_zeros() as i32;
+    let v = v.map(|c| if shift > 0 { c >> shift } else { c << -shift });
+    let (mantissa, exponent) = inverse_square_root(v.iter().map(|c| (c * c) as u64).sum());
+    // c * mantissa * 2^exponent in Q30, rounded; c has 30 bits, the mantissa 31, and exponent + 30 is about -31.
+    let down = -(exponent + 30);
+    Some(v.map(|c| ((c * i64::from(mantissa) + (1 << (down - 1))) >> down) as i32))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The error of a Newton step is a smooth function of m inside one interval of the table, so that steps of 61
+    /// cannot miss its bound by more than 61 / 2^30 of the slope, below 2^-33.
+    #[test]
+    fn error_bound_holds_for_all_mantissas() {
+        let worst = (1u64 << 30..1 << 32)
+            .step_by(61)
+            .map(|m| (f64::from(mantissa(m)) * (m as f64).sqrt() / 2f64.powi(46) - 1.0).abs())
+            .fold(0.0, f64::max);
+        assert!(worst < 2f64.powi(-28), "2^{}", worst.log2());
+    }
+
+    #[test]
+    fn scales_with_the_value() {
+        for shift in 0..64 {
+            for value in [1u64 << shift, (1u64 << shift) | 1, (1u64 << shift) - 1 | 1] {
+                let (mantissa, exponent) = inverse_square_root(value);
+                let got = f64::from(mantissa) * 2f64.powi(exponent) * (value as f64).sqrt();
+                assert!((got - 1.0).abs() < 2f64.powi(-28), "1/sqrt({value})");
+            }
+        }
+    }
+
+    #[test]
+    fn unit_vectors_have_length_one_and_keep_their_direction() {
+        let cases = [
+            [1, 0, 0],
+            [0, -7, 0],
+            [3, 4, 0],
+            [1, 1, 1],
+            [i64::from(i32::MAX) * 2, 5, -9],
+            [1 << 61, -(1 << 61), 1 << 61],
+            [-1, 1 << 40, 3],
+        ];
+        for v in cases {
+            let u = unit(v).unwrap().map(|c| f64::from(c) / 2f64.powi(30));
+            let length = v.iter().map(|&c| (c as f64).powi(2)).sum::<f64>().sqrt();
+            for axis in 0..3 {
+                assert!(
+                    (u[axis] - v[axis] as f64 / length).abs() < 2f64.powi(-28),
+                    "{v:?} {u:?}"
+                );
+            }
+        }
+        assert_eq!(unit([0; 3]), None);
+    }
+}
