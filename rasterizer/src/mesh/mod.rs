@@ -12,6 +12,7 @@ mod check;
 
 pub use bounds::{BoundingBox, BoundingSphere, Bounds};
 pub use check::MeshError;
+use embedded_graphics_core::pixelcolor::Rgb888;
 
 use crate::numbers::{Scale, Vec3};
 
@@ -84,6 +85,15 @@ pub struct Material {
     pub color: [u8; 3],
     /// How many triangles it covers, counted on from where the material before it ends.
     pub triangle_count: u32,
+}
+
+impl Material {
+    /// Its colour.
+    #[must_use]
+    pub const fn rgb(&self) -> Rgb888 {
+        let [red, green, blue] = self.color;
+        Rgb888::new(red, green, blue)
+    }
 }
 
 /// A model whose tables have been checked.

@@ -3,11 +3,13 @@
 //! No vertex and no pixel sees them. They let a scene measure a thousandth of a unit or ten thousand, and still hand
 //! the vertex loop integers that use all their bits.
 
+use fixed::types::U16F16;
+
 use super::{Scale, reciprocal::Reciprocal};
 
 /// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or 0.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Float {
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Float {
     pub(crate) mantissa: i32,
     pub(crate) exponent: i32,
 }
@@ -46,6 +48,10 @@ impl Float {
 
     pub(crate) const fn from_scale(scale: Scale) -> Self {
         Self::new(scale.mantissa() as i64, scale.exponent())
+    }
+
+    pub(crate) const fn from_unsigned(value: U16F16) -> Self {
+        Self::new(value.to_bits() as i64, -16)
     }
 
     pub(crate) const fn times(self, other: Self) -> Self {

@@ -13,11 +13,13 @@ impl Angle {
     #[must_use]
     pub fn from_radians(radians: f32) -> Self {
         let turns = radians * core::f32::consts::FRAC_1_PI * 0.5;
-        if !(turns.abs() < 8_388_608.0) {
-            return Self::ZERO;
+        // From 2^23 turns on an f32 has no fraction left.
+        if F32Ext::abs(turns) < 8_388_608.0 {
+            let fraction = turns - F32Ext::floor(turns);
+            Self::from_bits((fraction * 4_294_967_296.0) as u64 as u32)
+        } else {
+            Self::ZERO
         }
-        let fraction = turns - turns.floor();
-        Self::from_bits((fraction * 4_294_967_296.0) as u64 as u32)
     }
 }
 

@@ -25,7 +25,7 @@ pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
 }
 
 /// Whether the core multiplies 32 by 32 bits to 64. Among ARM targets those without it are the ones without atomic
-/// read-modify-write instructions (ARMv6-M, ARMv4T), which is what a stable compiler lets one ask for.
+/// read-modify-write instructions (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one ask for.
 const LONG_MULTIPLY: bool = cfg!(not(all(target_arch = "arm", not(target_has_atomic = "32"))));
 
 #[inline(always)]
@@ -76,7 +76,7 @@ mod tests {
             random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             random ^ random >> 13
         };
-        let mut check = |a: u32, b: u32| {
+        let check = |a: u32, b: u32| {
             assert_eq!(
                 mul_high_unsigned_by_halves(a, b),
                 ((u64::from(a) * u64::from(b)) >> 32) as u32

@@ -5,7 +5,7 @@
 
 /// 1 / value as `mantissa * 2^(leading_zeros - 62)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Reciprocal {
+pub struct Reciprocal {
     /// 2<sup>62</sup> / (value << `leading_zeros`), from 2<sup>30</sup> to 2<sup>31</sup> - 1.
     ///
     /// Its relative error is below [`Reciprocal::MAX_RELATIVE_ERROR`].
@@ -66,7 +66,7 @@ const fn mantissa(m: u32) -> i32 {
     // m to 16 bits, rounded; the last interval would round up to 2^16, which its seed of 257 / 256 tolerates.
     let m16 = (m >> 16) + ((m >> 15) & 1);
     // r1 = r0 (2 - m r0): Q8 x Q24 >> 17 = Q15. The second factor drops 3 bits so that the product fits 32.
-    let r1 = (r0 * ((1 << 25) - r0 * m16 >> 3) + (1 << 13)) >> 14;
+    let r1 = (r0 * (((1 << 25) - r0 * m16) >> 3) + (1 << 13)) >> 14;
     let r1 = if r1 > 0xFFFF { 0xFFFF } else { r1 };
     // m r1 in Q31, near 1: from the exact 48-bit product without its lowest 16 bits.
     let product = (m >> 16) * r1 + (((m & 0xFFFF) * r1) >> 16);

@@ -73,7 +73,7 @@ mod tests {
     #[test]
     fn scales_with_the_value() {
         for shift in 0..64 {
-            for value in [1u64 << shift, (1u64 << shift) | 1, (1u64 << shift) - 1 | 1] {
+            for value in [1u64 << shift, (1u64 << shift) | 1, ((1u64 << shift) - 1) | 1] {
                 let (mantissa, exponent) = inverse_square_root(value);
                 let got = f64::from(mantissa) * 2f64.powi(exponent) * (value as f64).sqrt();
                 assert!((got - 1.0).abs() < 2f64.powi(-28), "1/sqrt({value})");

@@ -1,0 +1,184 @@
+//! The picture: for each pixel, all fragments that cover it.
+//!
+//! Carpenter, "The A-buffer, an antialiased hidden surface method", SIGGRAPH 1984, keeps the surfaces of a pixel in a
+//! list for the same reason: what is in front can be decided, or doubted, later.
+
+/// What one triangle contributes to one pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Fragment {
+    /// Depth at the pixel centre; larger is nearer.
+    pub depth: f64,
+    /// Red, green, blue at the pixel centre, in 0..=255 and not quantised.
+    pub color: [f64; 3],
+    /// Number of the triangle in the list that was drawn; pieces of a clipped triangle keep its number.
+    pub triangle: u32,
+}
+
+/// A drawn picture of `width` by `height` pixels, with every layer of every pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Picture {
+    width: usize,
+    height: usize,
+    /// All fragments, pixel after pixel, row after row.
+    fragments: Vec<Fragment>,
+    /// Where the fragments of each pixel begin; the last entry is their number.
+    starts: Vec<usize>,
+}
+
+impl Picture {
+    /// Width in pixels.
+    #[must_use]
+    pub const fn width(&self) -> usize {
+        self.width
+    }
+
+    /// Height in pixels.
+    #[must_use]
+    pub const fn height(&self) -> usize {
+        self.height
+    }
+
+    /// The fragments of a pixel in the order in which their triangles were drawn.
+    ///
+    /// # Panics
+    ///
+    /// Outside the picture.
+    #[must_use]
+    pub fn fragments(&self, x: usize, y: usize) -> &[Fragment] {
+        assert!(
+            x < self.width && y < self.height,
+            "pixel ({x}, {y}) of {} x {}",
+            self.width,
+            self.height
+        );
+        let pixel = y * self.width + x;
+        &self.fragments[self.starts[pixel]..self.starts[pixel + 1]]
+    }
+
+    /// The visible fragment of a pixel: the one of greatest depth, the first drawn of several equals, as a depth test
+    /// for "greater" leaves it; `None` where only the background shows.
+    ///
+    /// # Panics
+    ///
+    /// Outside the picture.
+    #[must_use]
+    pub fn nearest(&self, x: usize, y: usize) -> Option<&Fragment> {
+        self.fragments(x, y)
+            .iter()
+            .reduce(|front, next| if next.depth > front.depth { next } else { front })
+    }
+
+    /// How many triangles cover a pixel.
+    ///
+    /// # Panics
+    ///
+    /// Outside the picture.
+    #[must_use]
+    pub fn layers(&self, x: usize, y: usize) -> usize {
+        self.fragments(x, y).len()
+    }
+}
+
+/// A picture while it is drawn: the fragments of all pixels in drawing order.
+#[derive(Clone, Debug)]
+pub(super) struct Canvas {
+    width: usize,
+    height: usize,
+    /// Each with its pixel, `y * width + x`.
+    fragments: Vec<(usize, Fragment)>,
+}
+
+impl Canvas {
+    pub(super) const fn new((width, height): (usize, usize)) -> Self {
+        Self {
+            width,
+            height,
+            fragments: Vec::new(),
+        }
+    }
+
+    /// Adds a fragment on top of what the pixel holds.
+    pub(super) fn add(&mut self, x: usize, y: usize, fragment: Fragment) {
+        self.fragments.push((y * self.width + x, fragment));
+    }
+
+    /// Sorts the fragments by pixel. A counting sort is stable, so each pixel keeps the drawing order.
+    pub(super) fn into_picture(self) -> Picture {
+        let mut starts = vec![0; self.width * self.height + 1];
+        for (pixel, _) in &self.fragments {
+            starts[pixel + 1] += 1;
+        }
+        for pixel in 1..starts.len() {
+            starts[pixel] += starts[pixel - 1];
+        }
+        let mut next = starts.clone();
+        let mut fragments = vec![Fragment::default(); self.fragments.len()];
+        for (pixel, fragment) in self.fragments {
+            fragments[next[pixel]] = fragment;
+            next[pixel] += 1;
+        }
+        Picture {
+            width: self.width,
+            height: self.height,
+            fragments,
+            starts,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fragment(depth: f64, triangle: u32) -> Fragment {
+        Fragment {
+            depth,
+            color: [f64::from(triangle), 2.0, 3.0],
+            triangle,
+        }
+    }
+
+    #[test]
+    fn each_pixel_keeps_its_fragments_in_drawing_order() {
+        let mut canvas = Canvas::new((3, 2));
+        let drawn = [(2, 1), (0, 0), (2, 1), (1, 0), (0, 1), (2, 1), (0, 0), (2, 0)];
+        for (number, (x, y)) in (0..).zip(drawn) {
+            canvas.add(x, y, fragment(0.5, number));
+        }
+        let picture = canvas.into_picture();
+        assert_eq!((picture.width(), picture.height()), (3, 2));
+        for y in 0..2 {
+            for x in 0..3 {
+                let expected: Vec<_> = (0..)
+                    .zip(drawn)
+                    .filter(|(_, at)| *at == (x, y))
+                    .map(|(number, _)| fragment(0.5, number))
+                    .collect();
+                assert_eq!(picture.fragments(x, y), expected, "({x}, {y})");
+                assert_eq!(picture.layers(x, y), expected.len());
+            }
+        }
+    }
+
+    #[test]
+    fn the_greatest_depth_is_nearest_and_the_first_drawn_wins_a_tie() {
+        let mut canvas = Canvas::new((1, 1));
+        for (number, depth) in (0..).zip([0.25, 0.75, 0.75, 0.5]) {
+            canvas.add(0, 0, fragment(depth, number));
+        }
+        assert_eq!(canvas.into_picture().nearest(0, 0), Some(&fragment(0.75, 1)));
+    }
+
+    #[test]
+    fn an_empty_picture_shows_the_background() {
+        let picture = Canvas::new((2, 2)).into_picture();
+        assert_eq!(picture.nearest(1, 1), None);
+        assert_eq!(picture.layers(1, 1), 0);
+    }
+
+    #[test]
+    #[should_panic(expected = "pixel (2, 0) of 2 x 2")]
+    fn a_pixel_beyond_the_right_side_is_not_the_next_row() {
+        let _ = Canvas::new((2, 2)).into_picture().layers(2, 0);
+    }
+}

@@ -1,0 +1,212 @@
+//! Where the viewer stands and how it sees.
+//!
+//! A [`Camera`] looks along the -z axis of its own space, with y up and x to the right. It carries a projection
+//! ([`Perspective`] or [`Orthographic`]) and a viewport: the rectangle of the display that shows the picture, in pixels
+//! from the display's top-left corner.
+
+mod projection;
+
+use embedded_graphics_core::primitives::Rectangle;
+pub use projection::{Distance, Orthographic, Perspective};
+
+use crate::numbers::{Angle, Rotation, Vec3, cross, unit};
+
+/// The largest width and height of a viewport, in pixels.
+///
+/// A vertex's place on the screen is kept within 1,024 pixels of the viewport's middle: the guard band.
+pub const MAX_VIEWPORT: u32 = 2048;
+
+/// The farthest that a viewport may lie from the display's origin, in pixels.
+pub const MAX_VIEWPORT_OFFSET: i32 = 16_384;
+
+/// What is wrong with a camera.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CameraError {
+    /// The field of view is 0, or half a turn and more.
+    FieldOfView,
+    /// The focal length or the height of the view is 0.
+    Magnification,
+    /// The near plane is not in front of the camera, or the far plane is not behind the near plane.
+    DepthRange,
+    /// The viewport is empty or larger than [`MAX_VIEWPORT`] either way.
+    ViewportSize,
+    /// The viewport is farther than [`MAX_VIEWPORT_OFFSET`] from the display's origin.
+    ViewportOffset,
+    /// The camera stands in the point that it looks at, or looks straight along its up direction.
+    Direction,
+}
+
+impl core::fmt::Display for CameraError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::FieldOfView => "the field of view must be over 0 and under half a turn",
+            Self::Magnification => "the focal length, or the height of the view, must be over 0",
+            Self::DepthRange => "the near plane must be over 0 and the far plane beyond it",
+            Self::ViewportSize => "the viewport must be 1 to 2048 pixels wide and high",
+            Self::ViewportOffset => "the viewport must lie within 16384 pixels of the display's origin",
+            Self::Direction => "the camera must look at a point other than its own, not along its up direction",
+        })
+    }
+}
+
+impl core::error::Error for CameraError {}
+
+/// A camera: place, direction, projection and viewport.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Camera<P = Perspective> {
+    eye: Vec3,
+    /// The directions right, up and forward in world space, in Q30.
+    axes: [[i32; 3]; 3],
+    projection: P,
+    viewport: Rectangle,
+}
+
+impl<P> Camera<P> {
+    /// A camera at `eye` that looks at `target`, turned so that `up` points upwards in the picture.
+    ///
+    /// # Errors
+    ///
+    /// [`CameraError::Direction`] if that leaves no direction or no upwards, else what is wrong with the viewport.
+    pub fn look_at(eye: Vec3, target: Vec3, up: Vec3, projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
+        let [e, t, up] = [eye, target, up].map(|v| v.to_bits().map(i64::from));
+        let forward = unit(core::array::from_fn(|i| t[i] - e[i])).ok_or(CameraError::Direction)?;
+        let up = unit(up).ok_or(CameraError::Direction)?;
+        // Within 2^-20 of parallel nothing is left of the cross product but rounding.
+        let right = cross(forward, up).map(i64::from);
+        if right.iter().all(|c| c.abs() < 1 << 10) {
+            return Err(CameraError::Direction);
+        }
+        let right = unit(right).ok_or(CameraError::Direction)?;
+        Self::new(eye, [right, cross(right, forward), forward], projection, viewport)
+    }
+
+    /// A camera at `eye`, turned by `rotation` from looking along -z with y up.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the viewport.
+    pub fn at(eye: Vec3, rotation: Rotation, projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
+        let [right, up, backward] = rotation.inverse().rows().map(|row| row.map(|c| c.to_bits()));
+        Self::new(eye, [right, up, backward.map(|c| -c)], projection, viewport)
+    }
+
+    /// A camera that circles `target` at a distance: `yaw` about the y axis from +z towards +x, `pitch` upwards.
+    ///
+    /// # Errors
+    ///
+    /// What is wrong with the viewport.
+    pub fn orbit(
+        target: Vec3,
+        distance: Distance,
+        yaw: Angle,
+        pitch: Angle,
+        projection: P,
+        viewport: Rectangle,
+    ) -> Result<Self, CameraError> {
+        let rotation = Rotation::about_y(yaw) * Rotation::about_x(-pitch);
+        let back = Vec3::from_bits([0, 0, i32::try_from(distance.to_bits()).unwrap_or(i32::MAX)]);
+        Self::at(target + rotation * back, rotation, projection, viewport)
+    }
+
+    fn new(eye: Vec3, axes: [[i32; 3]; 3], projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
+        let (size, corner) = (viewport.size, viewport.top_left);
+        if !(1..=MAX_VIEWPORT).contains(&size.width) || !(1..=MAX_VIEWPORT).contains(&size.height) {
+            return Err(CameraError::ViewportSize);
+        }
+        let offsets = -MAX_VIEWPORT_OFFSET..=MAX_VIEWPORT_OFFSET;
+        if !offsets.contains(&corner.x) || !offsets.contains(&corner.y) {
+            return Err(CameraError::ViewportOffset);
+        }
+        Ok(Self {
+            eye,
+            axes,
+            projection,
+            viewport,
+        })
+    }
+
+    /// Where the camera stands.
+    #[must_use]
+    pub const fn eye(&self) -> Vec3 {
+        self.eye
+    }
+
+    /// Its projection.
+    #[must_use]
+    pub const fn projection(&self) -> &P {
+        &self.projection
+    }
+
+    /// The rectangle of the display that it fills.
+    #[must_use]
+    pub const fn viewport(&self) -> Rectangle {
+        self.viewport
+    }
+
+    /// Right, up and forward in world space, in Q30.
+    pub(crate) const fn axes(&self) -> &[[i32; 3]; 3] {
+        &self.axes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::geometry::{Point, Size};
+
+    use super::*;
+
+    const LENS: Perspective = match Perspective::new(Angle::degrees(90), Distance::lit("0.1"), Distance::lit("10")) {
+        Ok(lens) => lens,
+        Err(_) => panic!(),
+    };
+
+    fn screen(width: u32, height: u32) -> Rectangle {
+        Rectangle::new(Point::zero(), Size::new(width, height))
+    }
+
+    #[test]
+    fn three_ways_to_the_same_camera() {
+        let at = Camera::at(Vec3::lit("0", "0", "5"), Rotation::IDENTITY, LENS, screen(10, 10)).unwrap();
+        let look = Camera::look_at(Vec3::lit("0", "0", "5"), Vec3::ZERO, Vec3::Y, LENS, screen(10, 10)).unwrap();
+        let orbit = Camera::orbit(
+            Vec3::ZERO,
+            Distance::lit("5"),
+            Angle::ZERO,
+            Angle::ZERO,
+            LENS,
+            screen(10, 10),
+        );
+        let orbit = orbit.unwrap();
+        for camera in [look, orbit] {
+            assert_eq!(camera.eye(), at.eye());
+            for (got, want) in camera.axes().iter().flatten().zip(at.axes().iter().flatten()) {
+                assert!((got - want).abs() <= 4, "{:?} {:?}", camera.axes(), at.axes());
+            }
+        }
+    }
+
+    #[test]
+    fn orbit_goes_round_to_the_right_and_up() {
+        let quarter = Angle::QUARTER;
+        let lens = LENS;
+        let side = Camera::orbit(Vec3::ZERO, Distance::lit("2"), quarter, Angle::ZERO, lens, screen(9, 9)).unwrap();
+        assert_eq!(side.eye(), Vec3::lit("2", "0", "0"));
+        let top = Camera::orbit(Vec3::ZERO, Distance::lit("2"), Angle::ZERO, quarter, lens, screen(9, 9)).unwrap();
+        assert_eq!(top.eye(), Vec3::lit("0", "2", "0"));
+    }
+
+    #[test]
+    fn faults_are_named() {
+        let look = |eye, target, up| Camera::look_at(eye, target, up, LENS, screen(9, 9)).unwrap_err();
+        assert_eq!(look(Vec3::X, Vec3::X, Vec3::Y), CameraError::Direction);
+        assert_eq!(look(Vec3::X, Vec3::ZERO, Vec3::ZERO), CameraError::Direction);
+        assert_eq!(look(Vec3::ZERO, Vec3::Y, Vec3::Y), CameraError::Direction);
+        let view = |r| Camera::at(Vec3::ZERO, Rotation::IDENTITY, LENS, r).unwrap_err();
+        assert_eq!(view(screen(0, 5)), CameraError::ViewportSize);
+        assert_eq!(view(screen(5, 2049)), CameraError::ViewportSize);
+        assert_eq!(
+            view(Rectangle::new(Point::new(-16_385, 0), Size::new(5, 5))),
+            CameraError::ViewportOffset
+        );
+    }
+}

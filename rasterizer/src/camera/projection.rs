@@ -1,0 +1,178 @@
+//! Perspective and parallel projection.
+
+use fixed::types::U16F16;
+
+use super::CameraError;
+use crate::numbers::{Angle, Float};
+
+/// A length or a factor that cannot be negative: Q16.16, up to just under 65,536.
+pub type Distance = U16F16;
+
+/// A pinhole camera: what is twice as far away looks half as large.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Perspective {
+    focal: Focal,
+    near: Distance,
+    far: Distance,
+}
+
+/// How large something of one unit at a distance of one unit appears.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+enum Focal {
+    /// In half heights of the viewport: the cotangent of half the vertical field of view.
+    HalfHeights(Float),
+    Pixels(Distance),
+}
+
+impl Perspective {
+    /// By the angle between the viewport's upper and lower edge, and the distances of the near and far plane.
+    ///
+    /// # Errors
+    ///
+    /// [`CameraError::FieldOfView`] or [`CameraError::DepthRange`].
+    pub const fn new(vertical_field_of_view: Angle, near: Distance, far: Distance) -> Result<Self, CameraError> {
+        let half = vertical_field_of_view.half();
+        let (sin, cos) = (half.sin().to_bits() as i64, half.cos().to_bits() as i64);
+        if sin <= 0 || cos <= 0 {
+            return Err(CameraError::FieldOfView);
+        }
+        let cotangent = Float::new(cos, 0).times(Float::new(sin, 0).reciprocal());
+        Self::checked(Focal::HalfHeights(cotangent), near, far)
+    }
+
+    /// By the focal length in pixels: something of one unit at a distance of one unit appears that large.
+    ///
+    /// # Errors
+    ///
+    /// [`CameraError::Magnification`] or [`CameraError::DepthRange`].
+    pub const fn with_focal_length(pixels: Distance, near: Distance, far: Distance) -> Result<Self, CameraError> {
+        if pixels.to_bits() == 0 {
+            return Err(CameraError::Magnification);
+        }
+        Self::checked(Focal::Pixels(pixels), near, far)
+    }
+
+    const fn checked(focal: Focal, near: Distance, far: Distance) -> Result<Self, CameraError> {
+        if !is_range(near, far) {
+            return Err(CameraError::DepthRange);
+        }
+        Ok(Self { focal, near, far })
+    }
+
+    /// The distance of the near plane: nothing nearer is drawn, and depth is 1 there.
+    #[must_use]
+    pub const fn near(&self) -> Distance {
+        self.near
+    }
+
+    /// The distance of the far plane: nothing beyond is drawn.
+    #[must_use]
+    pub const fn far(&self) -> Distance {
+        self.far
+    }
+
+    /// The focal length in pixels.
+    pub(crate) const fn focal_length(&self, viewport_height: u32) -> Float {
+        match self.focal {
+            Focal::HalfHeights(cotangent) => cotangent.times(Float::new(viewport_height as i64, -1)),
+            Focal::Pixels(pixels) => Float::from_unsigned(pixels),
+        }
+    }
+}
+
+/// A camera infinitely far away: size does not depend on distance.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Orthographic {
+    height: Distance,
+    near: Distance,
+    far: Distance,
+}
+
+impl Orthographic {
+    /// By the height of the view in world units, and the distances of the near and far plane.
+    ///
+    /// # Errors
+    ///
+    /// [`CameraError::Magnification`] or [`CameraError::DepthRange`].
+    pub const fn new(height: Distance, near: Distance, far: Distance) -> Result<Self, CameraError> {
+        if height.to_bits() == 0 {
+            return Err(CameraError::Magnification);
+        }
+        if !is_range(near, far) {
+            return Err(CameraError::DepthRange);
+        }
+        Ok(Self { height, near, far })
+    }
+
+    /// The distance of the near plane: nothing nearer is drawn, and depth is 1 there.
+    #[must_use]
+    pub const fn near(&self) -> Distance {
+        self.near
+    }
+
+    /// The distance of the far plane: nothing beyond is drawn, and depth is 0 there.
+    #[must_use]
+    pub const fn far(&self) -> Distance {
+        self.far
+    }
+
+    /// The height of the view in world units.
+    #[must_use]
+    pub const fn height(&self) -> Distance {
+        self.height
+    }
+
+    /// How many pixels show one unit.
+    pub(crate) const fn pixels_per_unit(&self, viewport_height: u32) -> Float {
+        Float::new(viewport_height as i64, 0).times(Float::from_unsigned(self.height).reciprocal())
+    }
+}
+
+const fn is_range(near: Distance, far: Distance) -> bool {
+    near.to_bits() > 0 && far.to_bits() > near.to_bits()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NEAR: Distance = Distance::lit("0.1");
+    const FAR: Distance = Distance::lit("100");
+
+    fn pixels(lens: Perspective, height: u32) -> f64 {
+        let focal = lens.focal_length(height);
+        f64::from(focal.mantissa) * 2f64.powi(focal.exponent)
+    }
+
+    #[test]
+    fn field_of_view_and_focal_length_agree() {
+        for degrees in 1..180 {
+            let lens = Perspective::new(Angle::degrees(degrees), NEAR, FAR).unwrap();
+            let want = 120.0 / (f64::from(degrees).to_radians() / 2.0).tan();
+            // The sine of half a degree has 23 significant bits.
+            assert!(
+                (pixels(lens, 240) / want - 1.0).abs() < 2f64.powi(-20),
+                "{degrees} degrees"
+            );
+        }
+        let lens = Perspective::with_focal_length(Distance::lit("400"), NEAR, FAR).unwrap();
+        assert_eq!(pixels(lens, 240), 400.0);
+    }
+
+    #[test]
+    fn faults_are_named() {
+        let field = |angle| Perspective::new(angle, NEAR, FAR).unwrap_err();
+        assert_eq!(field(Angle::ZERO), CameraError::FieldOfView);
+        assert_eq!(field(Angle::degrees(180)), CameraError::FieldOfView);
+        assert_eq!(field(Angle::degrees(270)), CameraError::FieldOfView);
+        let focal = |pixels, near, far| Perspective::with_focal_length(pixels, near, far).unwrap_err();
+        assert_eq!(focal(Distance::ZERO, NEAR, FAR), CameraError::Magnification);
+        assert_eq!(focal(FAR, Distance::ZERO, FAR), CameraError::DepthRange);
+        assert_eq!(focal(FAR, NEAR, NEAR), CameraError::DepthRange);
+        assert_eq!(
+            Orthographic::new(Distance::ZERO, NEAR, FAR),
+            Err(CameraError::Magnification)
+        );
+        assert_eq!(Orthographic::new(FAR, FAR, NEAR), Err(CameraError::DepthRange));
+    }
+}

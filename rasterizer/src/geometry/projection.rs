@@ -1,0 +1,180 @@
+//! What a projection is in integers: the divisor w, and depth.
+
+use crate::{
+    camera::{Orthographic, Perspective},
+    numbers::{Float, Reciprocal, mul_high_unsigned},
+};
+
+/// [`Perspective`] or [`Orthographic`].
+pub trait Projection: Copy + core::fmt::Debug + Sealed {}
+
+impl Projection for Perspective {}
+impl Projection for Orthographic {}
+
+/// What a projection gives the transform.
+pub trait Sealed {
+    /// The projection in the units of one object's clip space.
+    type Lens: Lens;
+
+    /// How many pixels show one unit at w = 1.
+    fn magnification(&self, viewport_height: u32) -> Float;
+
+    /// The near and the far distance.
+    fn depth_range(&self) -> [Float; 2];
+
+    /// The units of clip space, as exponents of 2, for an object whose x and y (as multiples of the guard band at
+    /// w = 1) and z lie below 2^`xy` and 2^`z`; nothing if there is none.
+    fn units(&self, xy: i32, z: i32) -> Option<Units>;
+
+    /// The lens for these units.
+    fn lens(&self, units: Units) -> Self::Lens;
+}
+
+/// The exponents of 2 of the units in which clip space counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Units {
+    /// Of x, y and w.
+    pub xy: i32,
+    /// Of z.
+    pub z: i32,
+}
+
+/// A projection at work on vertices in clip space.
+pub trait Lens: Copy + core::fmt::Debug {
+    /// What x and y are divided by: over 0 and below 2^31 for a z from the near plane on.
+    fn w(&self, z: i32) -> i32;
+
+    /// 1 / w.
+    fn reciprocal(&self, w: i32) -> Reciprocal;
+
+    /// Depth in Q0.32.
+    fn depth(&self, z: i32, reciprocal: Reciprocal) -> u32;
+}
+
+/// Coordinates stay below 2^30, so that sums and differences of two of them fit.
+const BITS: i32 = 30;
+
+impl Sealed for Perspective {
+    type Lens = PerspectiveLens;
+
+    fn magnification(&self, viewport_height: u32) -> Float {
+        self.focal_length(viewport_height)
+    }
+
+    fn depth_range(&self) -> [Float; 2] {
+        [self.near(), self.far()].map(Float::from_unsigned)
+    }
+
+    /// w is z, so that all three have the same unit.
+    fn units(&self, xy: i32, z: i32) -> Option<Units> {
+        let unit = xy.max(z) - BITS;
+        Some(Units { xy: unit, z: unit })
+    }
+
+    fn lens(&self, units: Units) -> PerspectiveLens {
+        let near = Float::from_unsigned(self.near());
+        PerspectiveLens {
+            near: near.mantissa.unsigned_abs() << 1,
+            exponent: near.exponent - units.z,
+        }
+    }
+}
+
+/// w = z; depth = near / z.
+#[derive(Clone, Copy, Debug)]
+pub struct PerspectiveLens {
+    /// The near distance's mantissa, from 2^31.
+    near: u32,
+    /// The near distance is `near / 2 * 2^exponent` units.
+    exponent: i32,
+}
+
+impl Lens for PerspectiveLens {
+    #[inline(always)]
+    fn w(&self, z: i32) -> i32 {
+        z
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self, w: i32) -> Reciprocal {
+        Reciprocal::of(w as u32)
+    }
+
+    #[inline(always)]
+    fn depth(&self, _: i32, reciprocal: Reciprocal) -> u32 {
+        // near / z = (near / 2) 2^exponent r 2^(leading_zeros - 62); times 2^32, and the product's upper half is
+        // near (2 r) / 2^32.
+        let product = mul_high_unsigned(self.near, (reciprocal.mantissa as u32) << 1);
+        let shift = self.exponent + reciprocal.leading_zeros as i32;
+        if shift <= 0 {
+            product.checked_shr(shift.unsigned_abs()).unwrap_or(0)
+        } else if product.leading_zeros() as i32 >= shift {
+            product << shift
+        } else {
+            // The near plane is rounded to a whole unit of z: depth may reach 1 there, never pass it.
+            u32::MAX
+        }
+    }
+}
+
+impl Sealed for Orthographic {
+    type Lens = OrthographicLens;
+
+    fn magnification(&self, viewport_height: u32) -> Float {
+        self.pixels_per_unit(viewport_height)
+    }
+
+    fn depth_range(&self) -> [Float; 2] {
+        [self.near(), self.far()].map(Float::from_unsigned)
+    }
+
+    /// w = 1 is a whole number of units, and the far plane can be named in z.
+    fn units(&self, xy: i32, z: i32) -> Option<Units> {
+        let xy = (xy - BITS).max(-BITS);
+        let [_, far] = self.depth_range();
+        (xy <= 0).then(|| Units {
+            xy,
+            z: z.max(far.magnitude()) - BITS,
+        })
+    }
+
+    fn lens(&self, units: Units) -> OrthographicLens {
+        let [near, far] = self.depth_range().map(|d| d.in_units_of(units.z));
+        let w = 1 << -units.xy;
+        OrthographicLens {
+            w,
+            reciprocal: Reciprocal::of(w as u32),
+            far,
+            range: Reciprocal::of(far.wrapping_sub(near) as u32),
+        }
+    }
+}
+
+/// w = 1; depth = (far - z) / (far - near).
+#[derive(Clone, Copy, Debug)]
+pub struct OrthographicLens {
+    w: i32,
+    reciprocal: Reciprocal,
+    far: i32,
+    range: Reciprocal,
+}
+
+impl Lens for OrthographicLens {
+    #[inline(always)]
+    fn w(&self, _: i32) -> i32 {
+        self.w
+    }
+
+    #[inline(always)]
+    fn reciprocal(&self, _: i32) -> Reciprocal {
+        self.reciprocal
+    }
+
+    #[inline(always)]
+    fn depth(&self, z: i32, _: Reciprocal) -> u32 {
+        // The way to the far plane, shifted like the range it is part of: their quotient in Q31.
+        let way = (self.far.wrapping_sub(z).max(0) as u32) << self.range.leading_zeros;
+        let quotient = mul_high_unsigned(way, (self.range.mantissa as u32) << 1);
+        if quotient >> 31 == 0 { quotient << 1 } else { u32::MAX }
+    }
+}

@@ -1,0 +1,126 @@
+//! Vertices on the screen.
+
+use core::marker::PhantomData;
+
+use super::{DepthFormat, Varyings};
+
+/// How finely a vertex's place on the screen is resolved.
+///
+/// The choice is between [`S4`], whose set-up needs no 64-bit arithmetic, and [`S8`], the precision of Direct3D 11
+/// (functional specification 3.2.4.1). What a pixel costs is the same.
+pub trait Subpixel: Copy + Default + private::Sealed {
+    /// The binary digits behind the point of a pixel coordinate.
+    const BITS: u32;
+}
+
+mod private {
+    pub trait Sealed {}
+    impl Sealed for super::S4 {}
+    impl Sealed for super::S8 {}
+}
+
+/// Sixteenths of a pixel: a vertex is off by at most 1/32 pixel in x and y. For cores without a long multiply.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct S4;
+
+/// 256ths of a pixel: a vertex is off by at most 1/512 pixel in x and y.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct S8;
+
+impl Subpixel for S4 {
+    const BITS: u32 = 4;
+}
+
+impl Subpixel for S8 {
+    const BITS: u32 = 8;
+}
+
+/// The guard band reaches 2<sup>10</sup> pixels to each side of the viewport's middle.
+pub(crate) const GUARD_BITS: u32 = 10;
+
+/// A vertex on the screen, with sub-pixel bits `S`, depth `D` and varyings `V`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ScreenVertex<S, D, V> {
+    /// To the right from the display's left edge, in sub-pixels.
+    pub(crate) x: i32,
+    /// Downwards from the display's upper edge, in sub-pixels.
+    pub(crate) y: i32,
+    pub(crate) depth: D,
+    pub(crate) varyings: V,
+    precision: PhantomData<S>,
+}
+
+impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
+    /// A vertex that is not on the screen, to fill storage with.
+    pub const EMPTY: Self = Self::off_screen(V::ZERO);
+
+    /// A vertex outside near plane, far plane or guard band.
+    pub(crate) const fn off_screen(varyings: V) -> Self {
+        Self::new(i32::MIN, 0, D::ZERO, varyings)
+    }
+
+    /// From its coordinates in sub-pixels from the display's top-left corner; nothing unless they lie within
+    /// -1,024 <= x, y < 1,024 pixels, which is what [`draw_triangle`](crate::raster::draw_triangle) is exact for.
+    #[must_use]
+    pub const fn checked(x: i32, y: i32, depth: D, varyings: V) -> Option<Self> {
+        let limit = 1 << (GUARD_BITS + S::BITS);
+        if -limit <= x && x < limit && -limit <= y && y < limit {
+            Some(Self::new(x, y, depth, varyings))
+        } else {
+            None
+        }
+    }
+
+    /// From its coordinates in sub-pixels.
+    #[inline(always)]
+    pub(crate) const fn new(x: i32, y: i32, depth: D, varyings: V) -> Self {
+        Self {
+            x,
+            y,
+            depth,
+            varyings,
+            precision: PhantomData,
+        }
+    }
+
+    /// Whether it lies within near plane, far plane and guard band.
+    #[inline(always)]
+    pub(crate) const fn is_on_screen(&self) -> bool {
+        self.x != i32::MIN
+    }
+
+    /// Its coordinates in sub-pixels, or nothing if it lies outside near plane, far plane or guard band.
+    #[must_use]
+    pub const fn position(&self) -> Option<[i32; 2]> {
+        if self.is_on_screen() {
+            Some([self.x, self.y])
+        } else {
+            None
+        }
+    }
+
+    /// Its depth.
+    #[must_use]
+    pub const fn depth(&self) -> D {
+        self.depth
+    }
+
+    /// Its varyings.
+    #[must_use]
+    pub const fn varyings(&self) -> V {
+        self.varyings
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::NoDepth;
+
+    #[test]
+    fn vertices_are_small() {
+        assert_eq!(size_of::<ScreenVertex<S4, NoDepth, [u16; 0]>>(), 8);
+        assert_eq!(size_of::<ScreenVertex<S8, u16, [u16; 1]>>(), 12);
+        assert_eq!(size_of::<ScreenVertex<S8, u32, [u16; 1]>>(), 16);
+    }
+}

@@ -1,0 +1,215 @@
+//! Object space to clip space to the screen: the work on every vertex.
+
+use super::{
+    DepthFormat, Pose, PoseError, Projection, ScreenVertex, Subpixel, Varyings, projection::Lens, screen::GUARD_BITS,
+};
+use crate::{
+    camera::Camera,
+    mesh::{BoundingBox, Tables},
+    numbers::{Float, mul_high},
+};
+
+/// A point in clip space.
+///
+/// The units are an object's own, chosen so that no coordinate of a vertex reaches 2^30. `|x| <= w` and `|y| <= w` is
+/// the guard band: w stands for 1,024 pixels, whatever the focal length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct ClipVertex<V> {
+    /// To the right.
+    pub(crate) x: i32,
+    /// Downwards.
+    pub(crate) y: i32,
+    /// Away from the camera.
+    pub(crate) z: i32,
+    pub(crate) varyings: V,
+}
+
+/// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
+///
+/// Its entries have 14 bits behind the point of a clip-space unit, and are kept as `high * 2^14 + low`: with positions
+/// of 16 bits and entries below 2^28, all products and their sums fit 32 bits, so that no core needs a long multiply.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    high: [i32; 3],
+    low: [i32; 3],
+    translation: i32,
+}
+
+const FRACTION_BITS: u32 = 14;
+
+impl Row {
+    /// The entries and the translation in units of 2^`unit`.
+    fn new(entries: [Float; 3], translation: Float, unit: i32) -> Self {
+        let entries = entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
+        Self {
+            high: entries.map(|m| m >> FRACTION_BITS),
+            low: entries.map(|m| m & ((1 << FRACTION_BITS) - 1)),
+            translation: translation.in_units_of(unit),
+        }
+    }
+
+    /// ⌊entries . p⌋ + translation, exactly.
+    #[inline(always)]
+    const fn apply(&self, [x, y, z]: [i32; 3]) -> i32 {
+        let high = x * self.high[0] + y * self.high[1] + z * self.high[2];
+        let low = x * self.low[0] + y * self.low[1] + z * self.low[2];
+        high + (low >> FRACTION_BITS) + self.translation
+    }
+}
+
+/// Everything between an object's table and the screen, for one frame.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Transform<P: Projection> {
+    rows: [Row; 3],
+    pub(super) near: i32,
+    pub(super) far: i32,
+    pub(super) lens: P::Lens,
+    /// The viewport's middle in half pixels, and its size in pixels.
+    center: [i32; 2],
+    size: [u32; 2],
+}
+
+impl<P: Projection> Transform<P> {
+    /// Pose, camera, focal length and the mesh's own scale in one matrix.
+    pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<Self, PoseError> {
+        let projection = camera.projection();
+        let viewport = camera.viewport();
+        // World units for a quantum of the mesh, and guard bands for a world unit at w = 1. The y axis turns over.
+        let quantum = Float::from_unsigned(pose.scale).times(Float::from_scale(tables.scale));
+        let across = projection
+            .magnification(viewport.size.height)
+            .times(Float::new(1, -(GUARD_BITS as i32)));
+        let down = Float::new(-1, 0).times(across);
+        let magnify = |row: usize, value: Float| match row {
+            0 => value.times(across),
+            1 => value.times(down),
+            _ => value,
+        };
+        let rotation = pose.rotation.rows().map(|row| row.map(|c| c.to_bits()));
+        let entries: [[Float; 3]; 3] = core::array::from_fn(|row| {
+            core::array::from_fn(|column| {
+                let sum: i64 = (0..3)
+                    .map(|k| i64::from(camera.axes()[row][k]) * i64::from(rotation[k][column]))
+                    .sum();
+                magnify(row, Float::new(sum, -60).times(quantum))
+            })
+        });
+        let origin = origin(camera, pose, tables)?;
+        let translation: [Float; 3] = core::array::from_fn(|row| magnify(row, origin[row]));
+
+        // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
+        let magnitude = |row: usize| {
+            let largest = entries[row].iter().map(|m| m.magnitude() + 15);
+            largest.fold(translation[row].magnitude(), i32::max) + 2
+        };
+        let units = projection
+            .units(magnitude(0).max(magnitude(1)), magnitude(2))
+            .ok_or(PoseError)?;
+        let row = |row: usize, unit: i32| Row::new(entries[row], translation[row], unit);
+        let [near, far] = projection.depth_range().map(|d| d.in_units_of(units.z));
+        let (corner, size) = (viewport.top_left, viewport.size);
+        Ok(Self {
+            rows: [row(0, units.xy), row(1, units.xy), row(2, units.z)],
+            near: near.max(1),
+            far,
+            lens: projection.lens(units),
+            center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
+            size: [size.width, size.height],
+        })
+    }
+
+    /// A position of the mesh in clip space.
+    #[inline(always)]
+    pub(crate) fn object_to_clip<V>(&self, position: [i16; 3], varyings: V) -> ClipVertex<V> {
+        let p = position.map(i32::from);
+        ClipVertex {
+            x: self.rows[0].apply(p),
+            y: self.rows[1].apply(p),
+            z: self.rows[2].apply(p),
+            varyings,
+        }
+    }
+
+    /// Clip space to the screen; the result is not on the screen if the vertex is outside near plane, far plane or
+    /// guard band.
+    #[inline(always)]
+    pub(crate) fn clip_to_screen<S: Subpixel, D: DepthFormat, V: Varyings>(
+        &self,
+        vertex: ClipVertex<V>,
+    ) -> ScreenVertex<S, D, V> {
+        let ClipVertex { x, y, z, varyings } = vertex;
+        if z < self.near || z > self.far {
+            return ScreenVertex::off_screen(varyings);
+        }
+        let w = self.lens.w(z);
+        if x.unsigned_abs() > w as u32 || y.unsigned_abs() > w as u32 {
+            return ScreenVertex::off_screen(varyings);
+        }
+        let reciprocal = self.lens.reciprocal(w);
+        // x / w in Q31, by |x| <= w < 2^31: (x << (n - 1)) r / 2^62 * 2, where r = 2^62 / (w << n). Its upper half
+        // has 32 - 1 - 2 = 29 bits behind the point; 10 + S of them are sub-pixels of the guard band.
+        let to_subpixels = |c: i32, center: i32| {
+            let quotient = mul_high(c << (reciprocal.leading_zeros - 1), reciprocal.mantissa);
+            let drop = 29 - GUARD_BITS - S::BITS;
+            let subpixels = (quotient + (1 << (drop - 1))) >> drop;
+            let limit = 1 << (GUARD_BITS + S::BITS);
+            subpixels.clamp(-limit, limit - 1) + (center << (S::BITS - 1))
+        };
+        ScreenVertex::new(
+            to_subpixels(x, self.center[0]),
+            to_subpixels(y, self.center[1]),
+            D::from_fraction(self.lens.depth(z, reciprocal)),
+            varyings,
+        )
+    }
+
+    /// Whether a box is certain to lie outside the picture: all its corners beyond one and the same plane.
+    pub(crate) fn hides(&self, cuboid: &BoundingBox) -> bool {
+        // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
+        let half = self.size.map(|pixels| i64::from(pixels / 2 + 2));
+        let mut beyond_all = 0b11_1111u8;
+        for corner in cuboid.corners() {
+            let ClipVertex { x, y, z, .. } = self.object_to_clip(corner, ());
+            // Beyond the near plane w may be negative, and the sides are still planes through the eye.
+            let w = i64::from(self.lens.w(z));
+            let [x, y] = [x, y].map(|c| i64::from(c) << GUARD_BITS);
+            let beyond = [
+                z < self.near,
+                z > self.far,
+                x < -w * half[0],
+                x > w * half[0],
+                y < -w * half[1],
+                y > w * half[1],
+            ];
+            beyond_all &= beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside));
+        }
+        beyond_all != 0
+    }
+}
+
+/// Where position (0, 0, 0) of the table lies in view space: right, up, forward.
+fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Float; 3], PoseError> {
+    let rows = pose.rotation.rows().map(|row| row.map(|c| i64::from(c.to_bits())));
+    let offset = tables.offset.to_bits().map(i64::from);
+    let (translation, eye) = (pose.translation.to_bits(), camera.eye().to_bits());
+    let mut from_eye = [0i64; 3];
+    for axis in 0..3 {
+        // Q30 x Q16, three times: below 2^63. To Q32, times the scale in Q16.
+        let turned: i64 = (0..3).map(|k| rows[axis][k] * offset[k]).sum::<i64>() >> 14;
+        let scale = i64::from(pose.scale.to_bits());
+        let scaled = (turned >> 16)
+            .checked_mul(scale)
+            .and_then(|upper| upper.checked_add(((turned & 0xFFFF) * scale) >> 16))
+            .ok_or(PoseError)?;
+        let shift = (i64::from(translation[axis]) - i64::from(eye[axis])) << 16;
+        from_eye[axis] = scaled.checked_add(shift).ok_or(PoseError)?;
+    }
+    // To 31 bits, so that products with the camera's axes in Q30 add up in 64.
+    let largest = from_eye.iter().fold(0, |bits, c| bits | c.unsigned_abs());
+    let down = (33 - largest.leading_zeros() as i32).max(0);
+    let from_eye = from_eye.map(|c| if down == 0 { c } else { ((c >> (down - 1)) + 1) >> 1 });
+    Ok(core::array::from_fn(|row| {
+        let sum: i64 = (0..3).map(|k| i64::from(camera.axes()[row][k]) * from_eye[k]).sum();
+        Float::new(sum, down - 62)
+    }))
+}

@@ -1,0 +1,196 @@
+//! The boundary that an edge draws through the rows.
+//!
+//! The edge function of an edge from (x0, y0) down to (x1, y1), with dx = x1 - x0 and dy = y1 - y0 > 0,
+//!
+//! ```text
+//!   E(x, y) = (x - x0) dy - (y - y0) dx
+//! ```
+//!
+//! is 0 on the edge and positive to its right (Pineda, *A Parallel Algorithm for Polygon Rasterization*, SIGGRAPH 1988).
+//! In each row the boundary is the first pixel whose centre has E >= 0. Seen from the right, that pixel is the first one
+//! inside: a left edge covers the centres on it. Seen from the left, it is the first one outside: a right edge does not.
+//! Together with rows that run from the first centre at or below the upper end to the last one above the lower end, that
+//! is the top-left rule, and the same boundary serves both triangles of a shared edge.
+//!
+//! E at the boundary pixel stays between 0 and dy (2^S times that, but all its values there share their S lowest bits,
+//! which are dropped): stepping down a row takes dx off, stepping a pixel to the right adds dy. With dx = q dy + r, the
+//! boundary moves by q pixels and E by -r, and by one more pixel where that makes E negative. Nothing is ever rounded,
+//! and no value needs more than 32 bits at any sub-pixel precision.
+
+/// An edge on its way down the rows.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    /// The boundary in the current row.
+    pub(super) boundary: i32,
+    /// The edge function at the boundary's centre, without its S lowest bits: from 0 to dy - 1.
+    function: i32,
+    /// By how many pixels the boundary moves at least from a row to the next: ⌊dx / dy⌋.
+    columns: i32,
+    /// What the edge function loses by that: dx mod dy.
+    remainder: i32,
+    dy: i32,
+}
+
+impl Edge {
+    /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below `top`.
+    ///
+    /// Coordinates are sub-pixels with `bits` binary digits, the edge's extents below 2^(12 + `bits`).
+    #[inline(always)]
+    pub(super) fn new(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> Self {
+        let half = 1 << (bits - 1);
+        let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
+        let (columns, remainder) = floor_divide(dx, dy);
+        // The row's centre below the upper end, and the edge's x there from the first column's centre, in sub-pixels.
+        let below = (row << bits) + half - top[1];
+        let start = top[0] - half;
+        let along = if below >> bits == 0 {
+            // Within the first row: off by less than a pixel.
+            (below * columns) >> bits
+        } else {
+            (below * columns + scaled(below, remainder, dy)) >> bits
+        };
+        // A first guess, whose edge function is exact modulo 2^32 and, near the edge, small.
+        let mut boundary = (start >> bits) + along;
+        let from_edge = ((boundary << bits) - start).wrapping_mul(dy);
+        let mut function = from_edge.wrapping_sub(below.wrapping_mul(dx)) >> bits;
+        while function < 0 {
+            boundary += 1;
+            function += dy;
+        }
+        while function >= dy {
+            boundary -= 1;
+            function -= dy;
+        }
+        Self {
+            boundary,
+            function,
+            columns,
+            remainder,
+            dy,
+        }
+    }
+
+    /// On to the next row.
+    #[inline(always)]
+    pub(super) const fn step(&mut self) {
+        self.boundary += self.columns;
+        self.function -= self.remainder;
+        if self.function < 0 {
+            self.boundary += 1;
+            self.function += self.dy;
+        }
+    }
+}
+
+/// ⌊dx / dy⌋ and the rest, for dy > 0. Most edges are steeper than 45 degrees or near it: no division for them.
+#[inline(always)]
+fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
+    if dx >= 0 {
+        if dx < dy {
+            return (0, dx);
+        }
+    } else if dx >= -dy {
+        return (-1, dx + dy);
+    }
+    let quotient = dx.unsigned_abs().checked_div(dy as u32).unwrap_or(0) as i32;
+    let rest = dx.abs() - quotient * dy;
+    match (dx >= 0, rest == 0) {
+        (true, _) => (quotient, rest),
+        (false, true) => (-quotient, 0),
+        (false, false) => (-quotient - 1, dy - rest),
+    }
+}
+
+/// `below * remainder / dy` within two pixels, for factors up to dy.
+#[inline(always)]
+fn scaled(below: i32, remainder: i32, dy: i32) -> i32 {
+    // Below 2^15 the product fits; a longer edge has bits to spare.
+    let drop = if dy < 1 << 15 { 0 } else { 4 };
+    let product = (below >> drop) as u32 * (remainder >> drop) as u32;
+    product.checked_div((dy >> (2 * drop)) as u32).unwrap_or(0) as i32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The boundary by its definition.
+    fn boundary(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> i32 {
+        let [x0, y0, x1, y1] = [top[0], top[1], bottom[0], bottom[1]].map(i64::from);
+        let (dx, dy) = (x1 - x0, y1 - y0);
+        let half = 1i64 << (bits - 1);
+        let below = (i64::from(row) << bits) + half - y0;
+        // The least column with (column 2^bits + half - x0) dy >= below dx.
+        let least = (below * dx + (x0 - half) * dy + (dy << bits) - 1).div_euclid(dy << bits);
+        least as i32
+    }
+
+    fn check(top: [i32; 2], bottom: [i32; 2], bits: u32) {
+        let half = 1 << (bits - 1);
+        let rows = (top[1] + half - 1) >> bits..(bottom[1] + half - 1) >> bits;
+        if rows.is_empty() {
+            return;
+        }
+        let mut walking = Edge::new(top, bottom, rows.start, bits);
+        let stride = (rows.len() / 5).max(1);
+        for (n, row) in rows.enumerate() {
+            let want = boundary(top, bottom, row, bits);
+            assert_eq!(walking.boundary, want, "{top:?} to {bottom:?}, row {row}, walked");
+            assert!((0..walking.dy).contains(&walking.function));
+            if n % stride == 0 {
+                let jumped = Edge::new(top, bottom, row, bits);
+                assert_eq!(jumped.boundary, want, "{top:?} to {bottom:?}, row {row}, jumped");
+                assert_eq!(jumped.function, walking.function);
+            }
+            walking.step();
+        }
+    }
+
+    #[test]
+    fn walked_and_jumped_boundaries_equal_the_definition() {
+        let mut random: u64 = 0x9E37_79B9_7F4A_7C15;
+        let mut next = |limit: i32| {
+            random ^= random << 13;
+            random ^= random >> 7;
+            random ^= random << 17;
+            (random % (2 * limit as u64 + 1)) as i32 - limit
+        };
+        for bits in [4, 8] {
+            let guard = 1 << (10 + bits);
+            for extent in [3, 1 << bits, 20 << bits, guard] {
+                for _ in 0..20_000 / (extent >> bits).max(10) {
+                    let [x, y] = [next(guard - extent), next(guard - extent)];
+                    let ends = [
+                        [x + next(extent), y + next(extent)],
+                        [x + next(extent), y + next(extent)],
+                    ];
+                    let [a, b] = ends;
+                    if a[1] != b[1] {
+                        check(if a[1] < b[1] { a } else { b }, if a[1] < b[1] { b } else { a }, bits);
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn longest_and_flattest_edges() {
+        for bits in [4, 8] {
+            let guard = 1 << (10 + bits);
+            let last = guard - 1;
+            for [x0, y0, x1, y1] in [
+                [-guard, -guard, last, last],
+                [last, -guard, -guard, last],
+                [-guard, 0, last, 1],
+                [last, 0, -guard, 1],
+                [-guard, -1, last, 1 << bits],
+                [0, -guard, 1, last],
+                [0, -guard, -1, last],
+                [last, -guard, last, last],
+                [-guard, 7, last, 2 << bits],
+            ] {
+                check([x0, y0], [x1, y1], bits);
+            }
+        }
+    }
+}

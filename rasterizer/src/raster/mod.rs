@@ -1,0 +1,18 @@
+//! From a triangle on the screen to spans of covered pixels.
+//!
+//! Coverage is exact. A pixel is covered if its centre lies inside the triangle; a centre on an edge belongs to the
+//! triangle whose top or left edge it is (Direct3D 11 functional specification 3.4.1), so that triangles which share
+//! an edge share no pixel and leave none out. It is decided on the snapped vertices by integer edge functions that are
+//! stepped from row to row without any rounding (edge).
+//!
+//! Attributes are planes over the screen, set up from the snapped vertices, evaluated at covered centres only
+//! (gradient). This module knows nothing of colours, buffers and displays: it hands [`Span`]s to a [`SpanSink`].
+
+mod edge;
+mod gradient;
+mod span;
+mod triangle;
+
+pub use gradient::{Interpolate, Plane, Step, TriangleSetup};
+pub use span::{Span, SpanSink, Window};
+pub use triangle::{draw_triangle, signed_area};

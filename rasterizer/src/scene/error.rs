@@ -1,0 +1,84 @@
+//! What can go wrong with drawing an object.
+
+use crate::{geometry::PoseError, mesh::Tables, shade::RequiredTables};
+
+/// Why an object cannot be drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ProjectError {
+    /// There is room for fewer vertices than the mesh has.
+    VertexStorage {
+        /// How many the mesh has.
+        needed: usize,
+    },
+    /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
+    NoVertexNormals,
+    /// The shader reads normals of triangles, and the mesh has none: convert the model with them.
+    NoFaceNormals,
+    /// The shader reads texture coordinates, and the mesh has none: convert the model with them.
+    NoTextureCoordinates,
+    /// The object is too large or too far away for the camera's numbers.
+    Pose(PoseError),
+}
+
+impl From<PoseError> for ProjectError {
+    fn from(error: PoseError) -> Self {
+        Self::Pose(error)
+    }
+}
+
+impl core::fmt::Display for ProjectError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::VertexStorage { needed } => write!(f, "the mesh needs storage for {needed} vertices"),
+            Self::NoVertexNormals => {
+                f.write_str("the shader needs vertex normals, which the mesh was converted without")
+            }
+            Self::NoFaceNormals => f.write_str("the shader needs face normals, which the mesh was converted without"),
+            Self::NoTextureCoordinates => {
+                f.write_str("the shader needs texture coordinates, which the mesh was converted without")
+            }
+            Self::Pose(error) => error.fmt(f),
+        }
+    }
+}
+
+impl core::error::Error for ProjectError {}
+
+/// Why drawing an object failed; `E` is the target's error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum DrawError<E> {
+    /// The object cannot be drawn; nothing of it was.
+    Project(ProjectError),
+    /// The target failed; some of the object may have been drawn.
+    Target(E),
+}
+
+impl<E> From<ProjectError> for DrawError<E> {
+    fn from(error: ProjectError) -> Self {
+        Self::Project(error)
+    }
+}
+
+impl<E: core::fmt::Display> core::fmt::Display for DrawError<E> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Project(error) => error.fmt(f),
+            Self::Target(error) => error.fmt(f),
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for DrawError<E> {}
+
+/// Whether the mesh has the tables that a shader reads.
+pub(super) const fn check_tables(tables: &Tables<'_>, required: RequiredTables) -> Result<(), ProjectError> {
+    if required.vertex_normals && tables.vertex_normals.is_empty() {
+        Err(ProjectError::NoVertexNormals)
+    } else if required.face_normals && tables.face_normals.is_empty() {
+        Err(ProjectError::NoFaceNormals)
+    } else if required.texture_coordinates && tables.texture_coordinates.is_empty() {
+        Err(ProjectError::NoTextureCoordinates)
+    } else {
+        Ok(())
+    }
+}

@@ -1,0 +1,69 @@
+//! Light worked out at the vertices and interpolated between them.
+
+use core::marker::PhantomData;
+
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+use fixed::types::U16F16;
+
+use super::{Light, MeshVertex, Ramp, RequiredTables, Shader};
+use crate::{geometry::Pose, mesh::Material};
+
+/// The material's colour, lit at the vertices (Gouraud, *Continuous Shading of Curved Surfaces*, 1971). Needs
+/// [`vertex_normals`](crate::mesh::Tables::vertex_normals).
+///
+/// The level is interpolated linearly on the screen, not in space: over a triangle whose corners' distances from the
+/// camera differ by a factor r, it is off by at most (√r - 1) / (√r + 1) of the difference between the corners.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Gouraud<C, const LEVELS: usize = 64> {
+    light: Light,
+    color: PhantomData<C>,
+}
+
+impl<C> Gouraud<C> {
+    /// Lit by `light`, in 64 levels.
+    #[must_use]
+    pub const fn new(light: Light) -> Self {
+        Self::with_levels(light)
+    }
+}
+
+impl<C, const LEVELS: usize> Gouraud<C, LEVELS> {
+    /// Lit by `light`, in `LEVELS` levels, a power of two.
+    #[must_use]
+    pub const fn with_levels(light: Light) -> Self {
+        Self {
+            light,
+            color: PhantomData,
+        }
+    }
+}
+
+impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LEVELS> {
+    type Color = C;
+    /// The place of the light level in the ramp.
+    type Varyings = [u16; 1];
+    type Surface = Ramp<C, LEVELS>;
+
+    const TABLES: RequiredTables = RequiredTables {
+        vertex_normals: true,
+        ..RequiredTables::NONE
+    };
+
+    fn in_object_space(&self, pose: &Pose) -> Self {
+        Self::with_levels(self.light.in_object_space(pose))
+    }
+
+    fn surface(&self, material: &Material) -> Self::Surface {
+        Ramp::between(Rgb888::new(0, 0, 0), material.rgb())
+    }
+
+    #[inline(always)]
+    fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 1] {
+        [Ramp::<C, LEVELS>::varying(self.light.level(vertex.normal()))]
+    }
+
+    #[inline(always)]
+    fn pixel(&self, surface: &Self::Surface, [level]: [U16F16; 1]) -> C {
+        surface.at(level)
+    }
+}

@@ -1,0 +1,111 @@
+//! The colours of a surface from dark to bright.
+
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
+use fixed::types::U16F16;
+
+/// `LEVELS` colours, a power of two of them, to be looked up by brightness.
+///
+/// One interpolated number a pixel gives all channels at once, and any course of colours that one likes: a surface in
+/// coloured light, the few steps of a cartoon, hot metal. 64 levels are as many as the finest channel of RGB565 has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Ramp<C, const LEVELS: usize> {
+    colors: [C; LEVELS],
+}
+
+impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
+    const INDEX_BITS: u32 = {
+        assert!(
+            LEVELS.is_power_of_two() && LEVELS >= 2 && LEVELS <= 1 << 15,
+            "a ramp has a power of two of levels, 2 to 32,768"
+        );
+        LEVELS.trailing_zeros()
+    };
+
+    /// By a function of the level, from 0 to `LEVELS` - 1.
+    #[must_use]
+    pub fn from_fn(color: impl FnMut(usize) -> C) -> Self {
+        Self {
+            colors: core::array::from_fn(color),
+        }
+    }
+
+    /// A brightness in Q16, 0 to 65,536, as the varying that [`at`](Self::at) takes.
+    ///
+    /// The nearest level of the ramp is the varying's upper bits: 0 and 65,536 lie in the middle of the first and the
+    /// last level.
+    #[inline(always)]
+    #[must_use]
+    pub const fn varying(level: u32) -> u16 {
+        let half_step = 1 << (15 - Self::INDEX_BITS);
+        (level - (level >> Self::INDEX_BITS) + half_step) as u16
+    }
+
+    /// The colour for an interpolated varying.
+    #[inline(always)]
+    #[must_use]
+    pub const fn at(&self, varying: U16F16) -> C {
+        self.colors[(varying.to_bits() >> (32 - Self::INDEX_BITS)) as usize & (LEVELS - 1)]
+    }
+
+    /// The colour nearest to a brightness in Q16, 0 to 65,536.
+    #[inline(always)]
+    #[must_use]
+    pub fn nearest(&self, level: u32) -> C {
+        self.at(U16F16::from_bits(u32::from(Self::varying(level)) << 16))
+    }
+}
+
+impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Ramp<C, LEVELS> {
+    /// From `dark` to `bright` in equal steps, each channel rounded to the nearest.
+    #[must_use]
+    pub fn between(dark: Rgb888, bright: Rgb888) -> Self {
+        let channel = |from: u8, to: u8, level: usize| {
+            let (last, level) = (LEVELS as u32 - 1, level as u32);
+            let sum = u32::from(from) * (last - level) + u32::from(to) * level;
+            ((2 * sum + last) / (2 * last)) as u8
+        };
+        Self::from_fn(|level| {
+            C::from(Rgb888::new(
+                channel(dark.r(), bright.r(), level),
+                channel(dark.g(), bright.g(), level),
+                channel(dark.b(), bright.b(), level),
+            ))
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::pixelcolor::{Gray8, GrayColor, Rgb565};
+
+    use super::*;
+
+    #[test]
+    fn every_level_is_met_in_its_middle() {
+        let ramp = Ramp::<Gray8, 64>::from_fn(|level| Gray8::new(level as u8));
+        for level in 0..64u32 {
+            // Level k of 63, in Q16, rounded.
+            let brightness = (level * 65_536 + 31) / 63;
+            assert_eq!(ramp.nearest(brightness).luma(), level as u8);
+            let margin = u32::from(Ramp::<Gray8, 64>::varying(brightness)) % 1024;
+            assert!((500..=524).contains(&margin), "level {level} lies at {margin} of 1024");
+        }
+    }
+
+    #[test]
+    fn ends_are_exact() {
+        let (dark, bright) = (Rgb888::new(8, 0, 0), Rgb888::new(255, 128, 1));
+        let ramp = Ramp::<Rgb888, 256>::between(dark, bright);
+        assert_eq!(ramp.nearest(0), dark);
+        assert_eq!(ramp.nearest(65_536), bright);
+        let ramp = Ramp::<Rgb565, 64>::between(Rgb888::BLACK, Rgb888::WHITE);
+        assert_eq!(ramp.nearest(65_536), Rgb565::WHITE);
+    }
+
+    #[test]
+    fn any_varying_finds_a_color() {
+        let ramp = Ramp::<Gray8, 2>::from_fn(|level| Gray8::new(level as u8));
+        assert_eq!(ramp.at(U16F16::MAX).luma(), 1);
+        assert_eq!(ramp.at(U16F16::ZERO).luma(), 0);
+    }
+}

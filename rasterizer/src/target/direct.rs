@@ -1,0 +1,65 @@
+//! Straight onto a display, without a buffer.
+
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+
+use super::Target;
+use crate::{
+    geometry::NoDepth,
+    raster::{Interpolate, Span, Step, Window},
+};
+
+/// Draws spans as runs on any [`DrawTarget`], each one `fill_solid` or `fill_contiguous`.
+///
+/// Nothing tests depth: it is for convex bodies whose back faces are culled, and for objects drawn from back to front.
+#[derive(Debug)]
+pub struct Direct<'a, T> {
+    display: &'a mut T,
+    window: Window,
+}
+
+impl<'a, T: DrawTarget> Direct<'a, T> {
+    /// On all of the display.
+    pub fn new(display: &'a mut T) -> Self {
+        let window = Window::new(&display.bounding_box());
+        Self { display, window }
+    }
+}
+
+const fn rectangle<V: Interpolate>(span: &Span<NoDepth, V>) -> Rectangle {
+    let width = (span.end - span.start) as u32;
+    Rectangle::new(Point::new(span.start, span.row), Size::new(width, 1))
+}
+
+impl<T: DrawTarget> Target for Direct<'_, T> {
+    type Color = T::Color;
+    type Depth = NoDepth;
+    type Error = T::Error;
+
+    fn window(&self) -> Window {
+        self.window
+    }
+
+    #[inline(always)]
+    fn shade<V: Interpolate>(
+        &mut self,
+        span: &Span<NoDepth, V>,
+        mut pixel: impl FnMut(V::Sample) -> T::Color,
+    ) -> Result<(), T::Error> {
+        let mut varyings = span.varyings;
+        let colors = (span.start..span.end).map(|_| {
+            let color = pixel(V::sample(varyings));
+            varyings = varyings.plus(span.varyings_step);
+            color
+        });
+        self.display.fill_contiguous(&rectangle(span), colors)
+    }
+
+    #[inline(always)]
+    fn fill<V: Interpolate>(&mut self, span: &Span<NoDepth, V>, color: T::Color) -> Result<(), T::Error> {
+        self.display.fill_solid(&rectangle(span), color)
+    }
+}

@@ -1,0 +1,169 @@
+//! A rectangle of the display in the caller's memory: the whole of it, or a band of rows.
+
+use core::convert::Infallible;
+
+use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
+
+use super::{DepthBuffer, DepthCell, Target};
+use crate::{
+    geometry::NoDepth,
+    raster::{Interpolate, Span, Step, Window},
+};
+
+/// Colour and depth of a rectangle of the display, row by row, in memory that the caller owns.
+///
+/// A frame that is only a band of rows gets the same pixels there as one of the whole display.
+#[derive(Debug)]
+pub struct Frame<'a, C, B> {
+    color: &'a mut [C],
+    depth: B,
+    area: Rectangle,
+    window: Window,
+}
+
+/// Memory of the wrong size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FrameError {
+    /// The colour buffer must have a pixel for each of the rectangle's.
+    ColorLength {
+        /// How many pixels the rectangle has.
+        needed: usize,
+    },
+    /// The depth buffer must have a cell for each of the rectangle's pixels.
+    DepthLength {
+        /// How many pixels the rectangle has.
+        needed: usize,
+    },
+}
+
+impl core::fmt::Display for FrameError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::ColorLength { needed } => write!(f, "the colour buffer must have {needed} pixels"),
+            Self::DepthLength { needed } => write!(f, "the depth buffer must have {needed} cells"),
+        }
+    }
+}
+
+impl core::error::Error for FrameError {}
+
+impl<'a, C: PixelColor, D> Frame<'a, C, &'a mut [D]>
+where
+    &'a mut [D]: DepthBuffer,
+{
+    /// A frame with a depth buffer of `u16` or `u32` for the rectangle `area` of the display.
+    ///
+    /// # Errors
+    ///
+    /// If a slice does not have as many elements as the rectangle has pixels.
+    pub fn new(color: &'a mut [C], depth: &'a mut [D], area: Rectangle) -> Result<Self, FrameError> {
+        Self::over(color, depth, area)
+    }
+}
+
+impl<'a, C: PixelColor> Frame<'a, C, NoDepth> {
+    /// A frame without a depth buffer for the rectangle `area` of the display: what is drawn last is seen.
+    ///
+    /// # Errors
+    ///
+    /// If the slice does not have as many elements as the rectangle has pixels.
+    pub fn without_depth(color: &'a mut [C], area: Rectangle) -> Result<Self, FrameError> {
+        Self::over(color, NoDepth, area)
+    }
+}
+
+impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
+    fn over(color: &'a mut [C], depth: B, area: Rectangle) -> Result<Self, FrameError> {
+        let Size { width, height } = area.size;
+        let needed = width as usize * height as usize;
+        if color.len() != needed {
+            return Err(FrameError::ColorLength { needed });
+        }
+        if !depth.holds(needed) {
+            return Err(FrameError::DepthLength { needed });
+        }
+        Ok(Self {
+            color,
+            depth,
+            area,
+            window: Window::new(&area),
+        })
+    }
+
+    /// Sets all pixels to one colour and their depth to the far end.
+    pub fn clear(&mut self, color: C) {
+        self.color.fill(color);
+        self.depth.clear();
+    }
+
+    /// The rectangle of the display that it stands for.
+    #[must_use]
+    pub const fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    /// The pixels, row by row.
+    #[must_use]
+    pub const fn pixels(&self) -> &[C] {
+        self.color
+    }
+
+    /// Sends the pixels to the display in one run.
+    ///
+    /// # Errors
+    ///
+    /// What the display says.
+    pub fn present<T: DrawTarget<Color = C>>(&self, display: &mut T) -> Result<(), T::Error> {
+        display.fill_contiguous(&self.area, self.color.iter().copied())
+    }
+
+    /// The pixels of a span and the cells of their depth.
+    #[inline(always)]
+    fn run<V: Interpolate>(&mut self, span: &Span<B::Format, V>) -> Option<(&mut [C], B::Cells<'_>)> {
+        let row = (span.row - self.window.top) as usize * self.area.size.width as usize;
+        let start = row + (span.start - self.window.left) as usize;
+        let end = start + (span.end - span.start) as usize;
+        Some((self.color.get_mut(start..end)?, self.depth.cells(start, end)?))
+    }
+}
+
+impl<C: PixelColor, B: DepthBuffer> Target for Frame<'_, C, B> {
+    type Color = C;
+    type Depth = B::Format;
+    type Error = Infallible;
+
+    fn window(&self) -> Window {
+        self.window
+    }
+
+    #[inline(always)]
+    fn shade<V: Interpolate>(
+        &mut self,
+        span: &Span<Self::Depth, V>,
+        mut pixel: impl FnMut(V::Sample) -> C,
+    ) -> Result<(), Infallible> {
+        let (mut depth, mut varyings) = (span.depth, span.varyings);
+        if let Some((colors, cells)) = self.run(span) {
+            for (color, mut cell) in colors.iter_mut().zip(cells) {
+                if cell.pass(B::Format::value(depth)) {
+                    *color = pixel(V::sample(varyings));
+                }
+                depth = depth.plus(span.depth_step);
+                varyings = varyings.plus(span.varyings_step);
+            }
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn fill<V: Interpolate>(&mut self, span: &Span<Self::Depth, V>, color: C) -> Result<(), Infallible> {
+        if B::IS_STORED {
+            self.shade(span, |_| color)
+        } else {
+            if let Some((colors, _)) = self.run(span) {
+                colors.fill(color);
+            }
+            Ok(())
+        }
+    }
+}

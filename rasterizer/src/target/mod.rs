@@ -1,0 +1,46 @@
+//! Where pixels go: into memory, or straight onto a display.
+
+mod depth;
+mod direct;
+mod frame;
+
+pub use depth::{DepthBuffer, DepthCell};
+pub use direct::Direct;
+use embedded_graphics_core::pixelcolor::PixelColor;
+pub use frame::{Frame, FrameError};
+
+use crate::{
+    geometry::DepthFormat,
+    raster::{Interpolate, Span, Window},
+};
+
+/// What triangles are drawn into.
+pub trait Target {
+    /// The colour of its pixels.
+    type Color: PixelColor;
+    /// How it keeps depth, if it does.
+    type Depth: DepthFormat + Interpolate;
+    /// What can go wrong with drawing into it.
+    type Error;
+
+    /// The pixels that it takes.
+    fn window(&self) -> Window;
+
+    /// Draws a span that lies in the window, each pixel in the colour that `pixel` makes of its varyings.
+    ///
+    /// # Errors
+    ///
+    /// Whatever the target's drawing ends in.
+    fn shade<V: Interpolate>(
+        &mut self,
+        span: &Span<Self::Depth, V>,
+        pixel: impl FnMut(V::Sample) -> Self::Color,
+    ) -> Result<(), Self::Error>;
+
+    /// Draws a span that lies in the window in one colour.
+    ///
+    /// # Errors
+    ///
+    /// Whatever the target's drawing ends in.
+    fn fill<V: Interpolate>(&mut self, span: &Span<Self::Depth, V>, color: Self::Color) -> Result<(), Self::Error>;
+}
