@@ -1,1 +1,466 @@
-//! Models.
+//! From an OBJ file to const tables.
+//!
+//! [`Model::load`] checks the file line by line, cuts its polygons into triangles, computes the normals it lacks, merges
+//! equal vertices, fits and quantises them, and orders the triangles for vertex reuse. [`emit::source`] writes the
+//! result as Rust; [`convert_for_build`] does all of it from a build script; [`Model::mesh`] gives the same tables at
+//! run time. [`Exact`] keeps what they stood for before they were rounded.
+//!
+//! Of an OBJ file, positions, normals, texture coordinates, faces and diffuse colours are used. Points, lines, curves,
+//! smoothing groups, vertex colours and the names of textures are passed over.
+
+pub mod emit;
+mod error;
+mod fit;
+mod mtl;
+mod normals;
+mod order;
+mod polygons;
+mod quantize;
+mod report;
+mod source;
+#[cfg(test)]
+mod tests;
+mod triangulate;
+mod validate;
+mod vector;
+mod weld;
+mod write;
+
+use std::{
+    fmt,
+    path::{Path, PathBuf},
+};
+
+use rasterizer::{
+    mesh::{Material, Mesh, Tables, Triangles},
+    numbers::{Scale, Vec3},
+};
+
+pub use error::{LineFault, ModelError};
+pub use report::{Flash, Report};
+pub use write::{convert_for_build, write_atomically};
+
+use triangulate::Triangle;
+use vector::{Vector, length, sub};
+use weld::Welded;
+
+/// How to convert a model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Options {
+    /// Where it lies and how large it is.
+    pub fit: Fit,
+    /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth across their edge.
+    pub crease_degrees: f64,
+    /// Which tables to make.
+    pub contents: Contents,
+    /// The name of the static; without, that of the file.
+    pub name: Option<String>,
+}
+
+impl Default for Options {
+    /// Unit fit, a crease angle of 60 degrees, the default contents, the name of the file.
+    fn default() -> Self {
+        Self {
+            fit: Fit::default(),
+            crease_degrees: 60.0,
+            contents: Contents::default(),
+            name: None,
+        }
+    }
+}
+
+/// Where a model lies and how large it is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Fit {
+    /// The middle of its bounding box at the origin, its farthest vertex at a distance of 1.
+    #[default]
+    Unit,
+    /// The file's own coordinates, which have to lie in Q16.16.
+    Keep,
+}
+
+impl fmt::Display for Fit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Unit => "unit fit",
+            Self::Keep => "coordinates kept",
+        })
+    }
+}
+
+/// Which of the optional tables to make.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Contents {
+    /// For smooth shading; hard edges take more vertices.
+    pub vertex_normals: bool,
+    /// For flat shading.
+    pub face_normals: bool,
+    /// For textures; seams take more vertices.
+    pub texture_coordinates: bool,
+}
+
+impl Default for Contents {
+    /// Both kinds of normals, no texture coordinates.
+    fn default() -> Self {
+        Self {
+            vertex_normals: true,
+            face_normals: true,
+            texture_coordinates: false,
+        }
+    }
+}
+
+/// A converted model.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Model {
+    /// The name of the static, in capitals.
+    pub name: String,
+    /// How it was converted.
+    pub options: Options,
+    /// The files it was made from: the OBJ, then its material libraries.
+    pub provenance: Vec<Provenance>,
+    /// The paths of these, and of libraries that could not be read.
+    pub inputs: Vec<PathBuf>,
+    /// Positions in quanta.
+    pub positions: Vec<[i16; 3]>,
+    /// The length of a quantum in model units.
+    pub scale: Scale,
+    /// Where position (0, 0, 0) lies, in model units.
+    pub offset: Vec3,
+    /// Unit normals of the vertices in 127ths, or none.
+    pub vertex_normals: Vec<[i8; 3]>,
+    /// Unit normals of the triangles in 127ths, or none.
+    pub face_normals: Vec<[i8; 3]>,
+    /// Texture coordinates of the vertices, v running down, or none.
+    pub texture_coordinates: Vec<[u16; 2]>,
+    /// The bits of a texture coordinate behind the binary point.
+    pub texture_fraction_bits: u8,
+    /// Vertex indices, sorted by material.
+    pub triangles: Indices,
+    /// The colours and how many triangles each covers.
+    pub materials: Vec<Material>,
+    /// The tables before they were rounded.
+    pub exact: Exact,
+    /// What the conversion changed.
+    pub report: Report,
+    /// What was passed over.
+    pub warnings: Vec<String>,
+}
+
+/// Vertex indices in the smallest type that holds them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Indices {
+    /// For up to 256 vertices.
+    U8(Vec<[u8; 3]>),
+    /// For up to 65,536 vertices.
+    U16(Vec<[u16; 3]>),
+}
+
+impl Indices {
+    fn new(triangles: &[[u32; 3]], vertices: usize) -> Self {
+        if vertices <= 1 << 8 {
+            Self::U8(triangles.iter().map(|t| t.map(|i| i as u8)).collect())
+        } else {
+            Self::U16(triangles.iter().map(|t| t.map(|i| i as u16)).collect())
+        }
+    }
+
+    /// Borrowed, as a mesh wants them.
+    #[must_use]
+    pub fn as_triangles(&self) -> Triangles<'_> {
+        match self {
+            Self::U8(triangles) => Triangles::U8(triangles),
+            Self::U16(triangles) => Triangles::U16(triangles),
+        }
+    }
+}
+
+/// What the tables stood for before they were rounded, in the same order and units. A table that was left out is empty
+/// here too.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Exact {
+    /// Positions in model units.
+    pub positions: Vec<[f64; 3]>,
+    /// Unit normals of the vertices.
+    pub vertex_normals: Vec<[f64; 3]>,
+    /// Unit normals of the triangles.
+    pub face_normals: Vec<[f64; 3]>,
+    /// Texture coordinates in repeats of the texture, v running down, none of them negative.
+    pub texture_coordinates: Vec<[f64; 2]>,
+}
+
+/// A file that went into a model.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Provenance {
+    /// Its name without directories.
+    pub file_name: String,
+    /// Its size.
+    pub bytes: usize,
+    /// The 64-bit FNV-1a hash of its bytes (Fowler, Noll and Vo), which no version of a library or compiler changes.
+    pub hash: u64,
+}
+
+impl Provenance {
+    fn of(path: &Path, bytes: &[u8]) -> Self {
+        let hash = bytes.iter().fold(0xCBF2_9CE4_8422_2325, |hash: u64, &byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3)
+        });
+        Self {
+            file_name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+            bytes: bytes.len(),
+            hash,
+        }
+    }
+}
+
+impl Model {
+    /// Converts the OBJ file at `path`.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read, a line of it is wrong, or the model does not fit the tables; each error names the
+    /// file, the line if there is one, and what to do. Faults of material libraries are only [warnings](Self::warnings).
+    pub fn load(path: impl AsRef<Path>, options: &Options) -> Result<Self, ModelError> {
+        let path = path.as_ref();
+        let degrees = options.crease_degrees;
+        if !(0.0..=180.0).contains(&degrees) {
+            return Err(ModelError::Crease { degrees });
+        }
+        let bytes = source::read(path)?;
+        if bytes.is_empty() {
+            return Err(ModelError::Empty { path: path.into() });
+        }
+        let mut checked = validate::check(path, &source::statements(source::text(path, &bytes)?))?;
+        let mut libraries = mtl::load(path, &checked);
+        let polygons = polygons::read(path, &checked, &libraries)?;
+        at_most_16_bits(path, polygons.positions.len())?;
+
+        let shape = fit::to_common_size(&polygons.positions);
+        if fit::has_no_size(&shape) {
+            return Err(ModelError::NoSize { path: path.into() });
+        }
+        let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
+        if corners.is_empty() {
+            return Err(ModelError::NoArea {
+                path: path.into(),
+                faces: checked.faces,
+            });
+        }
+        let materials = sort_by_material(&mut corners, &polygons.colors);
+        let normals = normals::corner_normals(&corners, &shape, degrees.to_radians());
+        let welded = weld::weld(&corners, &normals, options.contents);
+        at_most_16_bits(path, welded.positions.len())?;
+
+        let tables = Ordered::new(welded, &materials);
+        let at = |positions: &[Vector]| -> Vec<Vector> {
+            tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
+        };
+        let shape = at(&shape);
+        let fitted = fit::fit(path, &at(&polygons.positions), &shape, options.fit)?;
+        let (positions, scale) = quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
+        let exact = exact(
+            path,
+            options.contents,
+            &checked,
+            fitted.positions,
+            &shape,
+            &tables.welded,
+        )?;
+        let (texture_coordinates, texture_fraction_bits) = quantize::textures(path, &exact.texture_coordinates)?;
+        if texture_fraction_bits < 8 {
+            checked.warnings.push(format!(
+                "{}: texture coordinates range so far that their steps are 1/{} of a texture: move its islands together",
+                path.display(),
+                1 << texture_fraction_bits
+            ));
+        }
+        let some_without = checked.textured_corners < checked.corners;
+        if options.contents.texture_coordinates && some_without {
+            checked.warnings.push(format!(
+                "{}: {} of {} face corners have no texture coordinates and get (0, 0)",
+                path.display(),
+                checked.corners - checked.textured_corners,
+                checked.corners
+            ));
+        }
+
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let mut model = Self {
+            name: emit::static_name(options.name.as_deref().unwrap_or(&stem)),
+            options: options.clone(),
+            provenance: [vec![Provenance::of(path, &bytes)], libraries.files].concat(),
+            inputs: [vec![path.into()], libraries.paths].concat(),
+            vertex_normals: exact.vertex_normals.iter().map(|&n| quantize::normal(n)).collect(),
+            face_normals: exact.face_normals.iter().map(|&n| quantize::normal(n)).collect(),
+            triangles: Indices::new(&tables.welded.triangles, positions.len()),
+            positions,
+            scale,
+            offset: fitted.offset,
+            texture_coordinates,
+            texture_fraction_bits,
+            materials,
+            exact,
+            report: Report {
+                file_vertices: checked.vertices,
+                file_faces: checked.faces,
+                triangles: tables.welded.triangles.len(),
+                dropped_triangles,
+                cache_misses_before: tables.cache_misses_before,
+                cache_misses: tables.cache_misses,
+                ..Report::default()
+            },
+            warnings: checked.warnings,
+        };
+        model.warnings.append(&mut libraries.warnings);
+        model.measure();
+        Ok(model)
+    }
+
+    /// The tables as a mesh that can be drawn.
+    ///
+    /// # Panics
+    ///
+    /// If the fields were changed into something that is no mesh.
+    #[must_use]
+    pub fn mesh(&self) -> Mesh<'_> {
+        Mesh::new_const(Tables {
+            positions: &self.positions,
+            scale: self.scale,
+            offset: self.offset,
+            vertex_normals: &self.vertex_normals,
+            face_normals: &self.face_normals,
+            texture_coordinates: &self.texture_coordinates,
+            texture_fraction_bits: self.texture_fraction_bits,
+            triangles: self.triangles.as_triangles(),
+            materials: &self.materials,
+        })
+    }
+
+    /// Fills in the figures that compare the tables with what they stand for.
+    fn measure(&mut self) {
+        let offset = fit::offset_units(self.offset);
+        let distances = self
+            .positions
+            .iter()
+            .zip(&self.exact.positions)
+            .map(|(&q, &p)| length(sub(quantize::position(q, self.scale, offset), p)));
+        let squares: f64 = distances.clone().map(|d| d * d).sum();
+        let normal_errors = (self.vertex_normals.iter().zip(&self.exact.vertex_normals))
+            .chain(self.face_normals.iter().zip(&self.exact.face_normals))
+            .map(|(&q, &n)| quantize::normal_error(q, n));
+        let step = 1.0 / f64::from(1_u32 << self.texture_fraction_bits);
+        let texture_errors = (self.texture_coordinates.as_flattened().iter())
+            .zip(self.exact.texture_coordinates.as_flattened())
+            .map(|(&q, &t)| (f64::from(q) * step - t).abs());
+        let report = &mut self.report;
+        report.vertices = self.positions.len();
+        report.size = fit::diagonal(&self.exact.positions);
+        report.position_error_max = distances.fold(0.0, f64::max);
+        report.position_error_rms = (squares / self.positions.len() as f64).sqrt();
+        report.normal_error_degrees = normal_errors.fold(0.0, f64::max).to_degrees();
+        report.texture_error = texture_errors.fold(0.0, f64::max);
+        report.flash = Flash {
+            positions: size_of_val(&self.positions[..]),
+            vertex_normals: size_of_val(&self.vertex_normals[..]),
+            face_normals: size_of_val(&self.face_normals[..]),
+            texture_coordinates: size_of_val(&self.texture_coordinates[..]),
+            triangles: match &self.triangles {
+                Indices::U8(triangles) => size_of_val(&triangles[..]),
+                Indices::U16(triangles) => size_of_val(&triangles[..]),
+            },
+            materials: size_of_val(&self.materials[..]),
+        };
+    }
+}
+
+fn at_most_16_bits(path: &Path, count: usize) -> Result<(), ModelError> {
+    if count <= 1 << 16 {
+        Ok(())
+    } else {
+        Err(ModelError::TooManyVertices {
+            path: path.into(),
+            count,
+        })
+    }
+}
+
+/// Sorts triangles by material, in the order in which materials are first used, and lists the materials used.
+fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Material> {
+    let mut used: Vec<usize> = Vec::new();
+    let mut rank = vec![usize::MAX; colors.len()];
+    let mut materials: Vec<Material> = Vec::new();
+    for &Triangle { material, .. } in &*triangles {
+        if rank[material] == usize::MAX {
+            rank[material] = used.len();
+            used.push(material);
+            materials.push(Material {
+                color: colors[material],
+                triangle_count: 0,
+            });
+        }
+        materials[rank[material]].triangle_count += 1;
+    }
+    triangles.sort_by_key(|triangle| rank[triangle.material]);
+    materials
+}
+
+/// Welded vertices and triangles in their final order.
+struct Ordered {
+    welded: Welded,
+    cache_misses_before: f64,
+    cache_misses: f64,
+}
+
+impl Ordered {
+    fn new(welded: Welded, materials: &[Material]) -> Self {
+        let count = welded.positions.len();
+        let runs: Vec<usize> = materials.iter().map(|m| m.triangle_count as usize).collect();
+        let mut triangles = order::triangles(&welded.triangles, &runs, count);
+        let cache_misses_before = order::cache_miss_ratio(&welded.triangles, count);
+        let cache_misses = order::cache_miss_ratio(&triangles, count);
+        let vertices = order::vertices(&mut triangles, count);
+        Self {
+            welded: Welded {
+                positions: vertices.iter().map(|&v| welded.positions[v]).collect(),
+                normals: vertices.iter().map(|&v| welded.normals[v]).collect(),
+                textures: vertices.iter().map(|&v| welded.textures[v]).collect(),
+                triangles,
+            },
+            cache_misses_before,
+            cache_misses,
+        }
+    }
+}
+
+/// The unrounded tables that `contents` asks for.
+fn exact(
+    path: &Path,
+    contents: Contents,
+    checked: &validate::Checked,
+    positions: Vec<Vector>,
+    shape: &[Vector],
+    welded: &Welded,
+) -> Result<Exact, ModelError> {
+    if contents.texture_coordinates && checked.textured_corners == 0 {
+        return Err(ModelError::NoTextureCoordinates { path: path.into() });
+    }
+    let face_normal = |t: &[u32; 3]| normals::face_normal(t.map(|v| shape[v as usize]));
+    Ok(Exact {
+        positions,
+        vertex_normals: if contents.vertex_normals {
+            welded.normals.clone()
+        } else {
+            Vec::new()
+        },
+        face_normals: if contents.face_normals {
+            welded.triangles.iter().map(face_normal).collect()
+        } else {
+            Vec::new()
+        },
+        texture_coordinates: if contents.texture_coordinates {
+            quantize::turn_textures(&welded.textures)
+        } else {
+            Vec::new()
+        },
+    })
+}

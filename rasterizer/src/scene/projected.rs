@@ -1,6 +1,6 @@
 //! An object as the camera sees it, ready to be drawn.
 
-use core::marker::PhantomData;
+use core::{marker::PhantomData, ops::Range};
 
 use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
@@ -76,73 +76,76 @@ where
     /// What the target says, at once.
     pub fn draw<T: Target<Color = Sh::Color, Depth = D>>(&self, target: &mut T) -> Result<(), T::Error> {
         let window = target.window().intersection(&self.viewport);
-        if self.vertices.is_empty() {
-            return Ok(());
-        }
         let mut first = 0;
         for material in self.tables.materials {
             let end = first + material.triangle_count as usize;
             let surface = self.shader.surface(material);
-            for index in first..end {
-                let Some([i, j, k]) = self.tables.triangles.get(index) else {
-                    break;
+            self.for_each_visible(first..end, |index, corners, area| {
+                let mut pixels = Pixels {
+                    shader: &self.shader,
+                    surface: &surface,
+                    face: self.shader.face(&surface, &MeshFace::new(self.tables, index)),
+                    target,
                 };
-                let (Some(a), Some(b), Some(c)) = (self.vertices.get(i), self.vertices.get(j), self.vertices.get(k))
-                else {
-                    break;
-                };
-                if a.is_on_screen() && b.is_on_screen() && c.is_on_screen() {
-                    self.triangle([a, b, c], index, &surface, &window, target)?;
-                } else {
-                    let corners = self.clipped([i, j, k]);
-                    if let Some((hub, rim)) = corners.split_first() {
-                        for pair in rim.windows(2) {
-                            self.triangle([hub, &pair[0], &pair[1]], index, &surface, &window, target)?;
-                        }
-                    }
-                }
-            }
+                draw_triangle(corners, area, &window, &mut pixels)
+            })?;
             first = end;
         }
         Ok(())
     }
 
-    /// Draws a triangle that is wholly on the screen, unless it is culled.
-    #[inline(always)]
-    fn triangle<T: Target<Color = Sh::Color, Depth = D>>(
+    /// Visits the triangles that [`draw`](Self::draw) draws, in its order: those that are left of the mesh's after
+    /// culling and clipping, with their place in the mesh's table and their corners on the screen. A triangle that is
+    /// clipped may leave several.
+    ///
+    /// # Errors
+    ///
+    /// What `visit` ends in, at once.
+    pub fn for_each_triangle<E>(
         &self,
-        corners: [&ScreenVertex<S, D, Sh::Varyings>; 3],
-        index: usize,
-        surface: &Sh::Surface,
-        window: &Window,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        let area = signed_area(corners);
-        // Counter-clockwise is negative, as y runs downwards.
-        if (area < 0 && K::FRONT) || (area > 0 && K::BACK) {
-            self.visible(corners, area, index, surface, window, target)
-        } else {
-            Ok(())
-        }
+        mut visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.for_each_visible(0..self.tables.triangles.len(), |index, corners, _| {
+            visit(index, corners)
+        })
     }
 
-    #[inline(never)]
-    fn visible<T: Target<Color = Sh::Color, Depth = D>>(
+    /// The same for a range of the mesh's triangles, with their signed areas.
+    #[inline(always)]
+    fn for_each_visible<E>(
         &self,
-        corners: [&ScreenVertex<S, D, Sh::Varyings>; 3],
-        area: i64,
-        index: usize,
-        surface: &Sh::Surface,
-        window: &Window,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        let mut pixels = Pixels {
-            shader: &self.shader,
-            surface,
-            face: self.shader.face(surface, &MeshFace::new(self.tables, index)),
-            target,
+        range: Range<usize>,
+        mut visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3], i64) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut unless_culled = |index, corners: [&ScreenVertex<S, D, Sh::Varyings>; 3]| {
+            let area = signed_area(corners);
+            // Counter-clockwise is negative, as y runs downwards.
+            if (area < 0 && K::FRONT) || (area > 0 && K::BACK) {
+                visit(index, corners, area)
+            } else {
+                Ok(())
+            }
         };
-        draw_triangle(corners, area, window, &mut pixels)
+        for index in range {
+            let Some([i, j, k]) = self.tables.triangles.get(index) else {
+                break;
+            };
+            // There are none if the mesh is out of the picture.
+            let (Some(a), Some(b), Some(c)) = (self.vertices.get(i), self.vertices.get(j), self.vertices.get(k)) else {
+                break;
+            };
+            if a.is_on_screen() && b.is_on_screen() && c.is_on_screen() {
+                unless_culled(index, [a, b, c])?;
+            } else {
+                let corners = self.clipped([i, j, k]);
+                if let Some((hub, rim)) = corners.split_first() {
+                    for pair in rim.windows(2) {
+                        unless_culled(index, [hub, &pair[0], &pair[1]])?;
+                    }
+                }
+            }
+        }
+        Ok(())
     }
 
     /// What near plane, far plane and guard band leave of a triangle.

@@ -68,6 +68,12 @@ impl<C, const LEVELS: usize> Flat<C, LEVELS> {
             color: PhantomData,
         }
     }
+
+    /// Its light.
+    #[must_use]
+    pub const fn light(&self) -> &Light {
+        &self.light
+    }
 }
 
 impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Flat<C, LEVELS> {

@@ -1,0 +1,346 @@
+//! How a model is looked at, said once for both rasterizers.
+
+use embedded_graphics_core::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+use rasterizer::{
+    camera::{Camera, CameraError, Distance, Orthographic, Perspective},
+    geometry::Pose,
+    numbers::{Angle, Rotation, Scalar, Vec3},
+    scene::ProjectError,
+    shade::{Level, Light},
+    target::FrameError,
+};
+
+use crate::{model::Model, reference};
+
+/// How finely vertices are placed on the screen.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Subpixel {
+    /// Sixteenths of a pixel.
+    S4,
+    /// 256ths of a pixel.
+    #[default]
+    S8,
+}
+
+impl Subpixel {
+    /// The binary digits behind the point of a pixel coordinate.
+    #[must_use]
+    pub const fn bits(self) -> u32 {
+        match self {
+            Self::S4 => 4,
+            Self::S8 => 8,
+        }
+    }
+}
+
+/// How depth is stored.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum DepthFormat {
+    /// 16 bits.
+    #[default]
+    U16,
+    /// 32 bits.
+    U32,
+}
+
+impl DepthFormat {
+    /// The stored value of the near plane.
+    #[must_use]
+    pub const fn max(self) -> f64 {
+        match self {
+            Self::U16 => u16::MAX as f64,
+            Self::U32 => u32::MAX as f64,
+        }
+    }
+}
+
+/// How triangles are coloured.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Shading {
+    /// Lit by the triangle's normal.
+    Flat,
+    /// Lit at the vertices and interpolated.
+    #[default]
+    Gouraud,
+    /// The material's colour.
+    Unlit,
+}
+
+impl From<Shading> for reference::Shading {
+    fn from(shading: Shading) -> Self {
+        match shading {
+            Shading::Flat => Self::Flat,
+            Shading::Gouraud => Self::Gouraud,
+            Shading::Unlit => Self::Unlit,
+        }
+    }
+}
+
+/// How space becomes a picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// By the vertical field of view in degrees.
+    Perspective {
+        /// Between the upper and the lower edge of the picture.
+        field_of_view_degrees: f64,
+    },
+    /// By the height of the view in model units.
+    Orthographic {
+        /// Between the upper and the lower edge of the picture.
+        height: f64,
+    },
+}
+
+/// The camera stands on the z axis and looks at the origin; the model is turned about the origin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Width and height of the picture in pixels.
+    pub size: [u32; 2],
+    /// How far the camera stands from the origin, in model units.
+    pub distance: f64,
+    /// The projection.
+    pub projection: Projection,
+    /// The distance of the near plane.
+    pub near: f64,
+    /// The distance of the far plane.
+    pub far: f64,
+    /// How far the model is turned about y, in degrees; this comes first.
+    pub yaw_degrees: f64,
+    /// How far it is turned about x, in degrees.
+    pub pitch_degrees: f64,
+    /// How far it is turned about z, in degrees; this comes last.
+    pub roll_degrees: f64,
+    /// Sub-pixel precision of the fixed-point picture.
+    pub subpixel: Subpixel,
+    /// Depth format of the fixed-point picture.
+    pub depth: DepthFormat,
+    /// How triangles are coloured.
+    pub shading: Shading,
+}
+
+impl Default for View {
+    /// A model of unit fit fills most of a QVGA display.
+    fn default() -> Self {
+        Self {
+            size: [320, 240],
+            distance: 3.0,
+            projection: Projection::Perspective {
+                field_of_view_degrees: 40.0,
+            },
+            near: 0.1,
+            far: 100.0,
+            yaw_degrees: 30.0,
+            pitch_degrees: 20.0,
+            roll_degrees: 0.0,
+            subpixel: Subpixel::default(),
+            depth: DepthFormat::default(),
+            shading: Shading::default(),
+        }
+    }
+}
+
+/// Why a model cannot be drawn in a view.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+pub enum ViewError {
+    /// A number is outside what the fixed-point types hold.
+    #[error("{what} is {value}, but must lie from {least} to {most}")]
+    OutOfRange {
+        /// Which one.
+        what: &'static str,
+        /// What it is.
+        value: f64,
+        /// The least that will do.
+        least: f64,
+        /// The most that will do.
+        most: f64,
+    },
+    /// The camera makes no sense.
+    #[error("{0}")]
+    Camera(#[from] CameraError),
+    /// The core refuses the model in this view.
+    #[error("{0}")]
+    Project(#[from] ProjectError),
+    /// The buffers do not fit the picture, which would be a mistake of this program.
+    #[error("{0}")]
+    Frame(#[from] FrameError),
+}
+
+/// Where the light comes from: over the viewer's left shoulder.
+const LIGHT: [&str; 3] = ["-1", "2", "3"];
+const AMBIENT: &str = "0.2";
+const DIFFUSE: &str = "0.8";
+
+impl View {
+    /// The same view with the model turned a little further about y: step `frame` of `frames` in a full turn.
+    #[must_use]
+    pub fn turned(self, frame: u32, frames: u32) -> Self {
+        Self {
+            yaw_degrees: self.yaw_degrees + 360.0 * f64::from(frame) / f64::from(frames),
+            ..self
+        }
+    }
+
+    /// The view that the fixed-point numbers stand for.
+    pub(super) fn rounded(self) -> Self {
+        let turn = |degrees: f64| f64::from(angle(degrees).to_bits()) / ANGLE_STEPS * 360.0;
+        let length = |length: f64| (length * 65_536.0).round() / 65_536.0;
+        Self {
+            distance: length(self.distance),
+            projection: match self.projection {
+                Projection::Perspective { field_of_view_degrees } => Projection::Perspective {
+                    field_of_view_degrees: turn(field_of_view_degrees),
+                },
+                Projection::Orthographic { height } => Projection::Orthographic { height: length(height) },
+            },
+            near: length(self.near),
+            far: length(self.far),
+            yaw_degrees: turn(self.yaw_degrees),
+            pitch_degrees: turn(self.pitch_degrees),
+            roll_degrees: turn(self.roll_degrees),
+            ..self
+        }
+    }
+
+    /// The pose of the model in the fixed-point core.
+    pub(super) fn pose(&self) -> Pose {
+        Pose::rotated(
+            Rotation::about_z(angle(self.roll_degrees))
+                * Rotation::about_x(angle(self.pitch_degrees))
+                * Rotation::about_y(angle(self.yaw_degrees)),
+        )
+    }
+
+    /// The rectangle of the display that the picture fills.
+    pub(super) const fn area(&self) -> Rectangle {
+        let [width, height] = self.size;
+        Rectangle::new(Point::zero(), Size::new(width, height))
+    }
+
+    fn fixed_camera<P>(&self, projection: P) -> Result<Camera<P>, ViewError> {
+        let eye = checked("the camera's distance", self.distance, -32_000.0, 32_000.0)?;
+        let eye = Vec3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(eye));
+        Ok(Camera::at(eye, Rotation::IDENTITY, projection, self.area())?)
+    }
+
+    pub(super) fn perspective(&self, field_of_view_degrees: f64) -> Result<Camera<Perspective>, ViewError> {
+        let degrees = checked("the field of view", field_of_view_degrees, 0.01, 179.9)?;
+        let [near, far] = self.depth_range()?;
+        self.fixed_camera(Perspective::new(angle(degrees), near, far)?)
+    }
+
+    pub(super) fn orthographic(&self, height: f64) -> Result<Camera<Orthographic>, ViewError> {
+        let height = distance("the height of the view", height)?;
+        let [near, far] = self.depth_range()?;
+        self.fixed_camera(Orthographic::new(height, near, far)?)
+    }
+
+    fn depth_range(&self) -> Result<[Distance; 2], ViewError> {
+        Ok([
+            distance("the near plane's distance", self.near)?,
+            distance("the far plane's distance", self.far)?,
+        ])
+    }
+
+    pub(super) fn light() -> Light {
+        let [x, y, z] = LIGHT;
+        Light::new(Vec3::lit(x, y, z), Level::lit(AMBIENT), Level::lit(DIFFUSE))
+    }
+
+    pub(super) fn reference_light(&self) -> reference::Light {
+        let number = |text: &str| text.parse().expect("the light is given in decimal numbers");
+        let toward: [f64; 3] = LIGHT.map(number);
+        let length = toward.iter().map(|c| c * c).sum::<f64>().sqrt();
+        reference::Light {
+            toward: toward.map(|c| c / length),
+            ambient: number(AMBIENT),
+            diffuse: number(DIFFUSE),
+        }
+    }
+
+    pub(super) fn reference_camera(&self) -> reference::Camera {
+        let [width, height] = self.size.map(f64::from);
+        let (near, far) = (self.near, self.far);
+        reference::Camera {
+            eye: [0.0, 0.0, self.distance],
+            target: [0.0, 0.0, self.distance - 1.0],
+            up: [0.0, 1.0, 0.0],
+            projection: match self.projection {
+                Projection::Perspective { field_of_view_degrees } => reference::Projection::Perspective {
+                    focal_length_px: reference::Projection::focal_length_px(field_of_view_degrees.to_radians(), height),
+                    near,
+                    far,
+                },
+                Projection::Orthographic { height: view_height } => reference::Projection::Orthographic {
+                    pixels_per_unit: height / view_height,
+                    near,
+                    far,
+                },
+            },
+            viewport: reference::Viewport {
+                x: 0.0,
+                y: 0.0,
+                width,
+                height,
+            },
+        }
+    }
+
+    /// Points of the model in world space.
+    pub(super) fn pose_points(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let angles = [self.yaw_degrees, self.pitch_degrees, self.roll_degrees].map(f64::to_radians);
+        let [(sy, cy), (sp, cp), (sr, cr)] = angles.map(f64::sin_cos);
+        let turn = |&[x, y, z]: &[f64; 3]| {
+            let [x, z] = [cy * x + sy * z, cy * z - sy * x];
+            let [y, z] = [cp * y - sp * z, cp * z + sp * y];
+            [cr * x - sr * y, cr * y + sr * x, z]
+        };
+        points.iter().map(turn).collect()
+    }
+
+    /// The model in world space, from the OBJ file's own numbers.
+    pub(super) fn reference_mesh(&self, model: &Model) -> reference::Mesh {
+        reference::Mesh {
+            positions: self.pose_points(&model.exact.positions),
+            vertex_normals: self.pose_points(&model.exact.vertex_normals),
+            face_normals: self.pose_points(&model.exact.face_normals),
+            triangles: (0..).map_while(|i| model.triangles.as_triangles().get(i)).collect(),
+            colors: triangle_colors(model),
+        }
+    }
+}
+
+/// The colour of each triangle's material.
+pub(super) fn triangle_colors(model: &Model) -> Vec<[f64; 3]> {
+    let run = |m: &rasterizer::mesh::Material| std::iter::repeat_n(m.color.map(f64::from), m.triangle_count as usize);
+    model.materials.iter().flat_map(run).collect()
+}
+
+const ANGLE_STEPS: f64 = 4_294_967_296.0;
+
+/// The nearest angle that the core has.
+fn angle(degrees: f64) -> Angle {
+    let steps = (degrees / 360.0).rem_euclid(1.0) * ANGLE_STEPS;
+    // A turn that rounds up to a whole one wraps to none.
+    Angle::from_bits(steps.round() as u64 as u32)
+}
+
+fn checked(what: &'static str, value: f64, least: f64, most: f64) -> Result<f64, ViewError> {
+    if value >= least && value <= most {
+        Ok(value)
+    } else {
+        Err(ViewError::OutOfRange {
+            what,
+            value,
+            least,
+            most,
+        })
+    }
+}
+
+fn distance(what: &'static str, value: f64) -> Result<Distance, ViewError> {
+    // The least that Q16.16 tells from 0, and its last whole number.
+    checked(what, value, 1.0 / 65_536.0, 65_535.0).map(Distance::from_num)
+}

@@ -1,0 +1,244 @@
+//! The tables as a Rust source file.
+//!
+//! The file has plain comments only, so that it can be a module or be taken in by `include!`. All tables are statics
+//! inside the initialiser of the one public static, where their names meet no others; `#[rustfmt::skip]` on it keeps a
+//! formatter from putting each number on its own line.
+
+use std::fmt::{Display, Write as _};
+
+use rasterizer::mesh::Material;
+
+use super::{
+    Indices, Model, Options,
+    report::{grouped, thousands},
+};
+
+/// The longest line of a table.
+const WIDTH: usize = 118;
+
+/// The source file of a model. Equal models give equal text.
+#[must_use]
+pub fn source(model: &Model) -> String {
+    let mut out = String::new();
+    // Writing to a string cannot fail.
+    let _ = header(&mut out, model).and_then(|()| mesh(&mut out, model));
+    out
+}
+
+fn header(out: &mut String, model: &Model) -> std::fmt::Result {
+    let version = env!("CARGO_PKG_VERSION");
+    writeln!(
+        out,
+        "// A model as const tables, written by host-tools {version}: do not edit."
+    )?;
+    writeln!(out, "//")?;
+    for file in &model.provenance {
+        let (name, bytes) = (in_comment(&file.file_name), thousands(file.bytes));
+        writeln!(out, "// From {name}: {bytes} bytes, FNV-1a {:016x}", file.hash)?;
+    }
+    writeln!(out, "// With {}", options(&model.options))?;
+    writeln!(out, "//")?;
+    for line in model.report.to_string().lines() {
+        writeln!(out, "// {line}")?;
+    }
+    writeln!(out, "//")?;
+    writeln!(
+        out,
+        "// A table that no shader uses can be left out: convert again with fewer contents, or write `&[]` for it below."
+    )
+}
+
+fn options(options: &Options) -> String {
+    let contents = options.contents;
+    let tables: Vec<&str> = [
+        (contents.vertex_normals, "vertex normals"),
+        (contents.face_normals, "face normals"),
+        (contents.texture_coordinates, "texture coordinates"),
+    ]
+    .into_iter()
+    .filter_map(|(kept, name)| kept.then_some(name))
+    .collect();
+    let tables = if tables.is_empty() {
+        "none".to_owned()
+    } else {
+        tables.join(", ")
+    };
+    let fit = options.fit;
+    format!(
+        "{fit}, a crease angle of {} degrees, contents: {tables}",
+        options.crease_degrees
+    )
+}
+
+fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
+    let (name, file) = (&model.name, in_comment(&model.provenance[0].file_name));
+    let (vertices, triangles) = (thousands(model.positions.len()), thousands(model.report.triangles));
+    writeln!(out)?;
+    writeln!(out, "/// {file}: {vertices} vertices, {triangles} triangles.")?;
+    writeln!(out, "#[rustfmt::skip]")?;
+    writeln!(out, "pub static {name}: ::rasterizer::mesh::Mesh<'static> = {{")?;
+    writeln!(out, "    use ::rasterizer::{{")?;
+    writeln!(out, "        mesh::{{Material, Mesh, Tables, Triangles}},")?;
+    writeln!(out, "        numbers::{{Scale, Vec3}},")?;
+    writeln!(out, "    }};")?;
+    table(out, "POSITIONS", "[i16; 3]", model.positions.iter().map(row))?;
+    table(out, "VERTEX_NORMALS", "[i8; 3]", model.vertex_normals.iter().map(row))?;
+    table(out, "FACE_NORMALS", "[i8; 3]", model.face_normals.iter().map(row))?;
+    table(
+        out,
+        "TEXTURE_COORDINATES",
+        "[u16; 2]",
+        model.texture_coordinates.iter().map(row),
+    )?;
+    let index = match &model.triangles {
+        Indices::U8(triangles) => {
+            table(out, "TRIANGLES", "[u8; 3]", triangles.iter().map(row))?;
+            "U8"
+        }
+        Indices::U16(triangles) => {
+            table(out, "TRIANGLES", "[u16; 3]", triangles.iter().map(row))?;
+            "U16"
+        }
+    };
+    table(out, "MATERIALS", "Material", model.materials.iter().map(material))?;
+    let (mantissa, exponent) = (model.scale.mantissa(), model.scale.exponent());
+    let reference = |name: &'static str, empty: bool| if empty { "&[]".into() } else { format!("&{name}") };
+    writeln!(out, "    Mesh::new_const(Tables {{")?;
+    writeln!(out, "        positions: &POSITIONS,")?;
+    writeln!(
+        out,
+        "        scale: Scale::new(0x{:04X}_{:04X}, {exponent}),",
+        mantissa >> 16,
+        mantissa & 0xFFFF
+    )?;
+    writeln!(
+        out,
+        "        offset: Vec3::from_bits({}),",
+        row(&model.offset.to_bits())
+    )?;
+    for (field, table, empty) in [
+        ("vertex_normals", "VERTEX_NORMALS", model.vertex_normals.is_empty()),
+        ("face_normals", "FACE_NORMALS", model.face_normals.is_empty()),
+        (
+            "texture_coordinates",
+            "TEXTURE_COORDINATES",
+            model.texture_coordinates.is_empty(),
+        ),
+    ] {
+        writeln!(out, "        {field}: {},", reference(table, empty))?;
+    }
+    writeln!(out, "        texture_fraction_bits: {},", model.texture_fraction_bits)?;
+    writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
+    writeln!(out, "        materials: &MATERIALS,")?;
+    writeln!(out, "    }})")?;
+    writeln!(out, "}};")
+}
+
+/// One table, as many entries to a line as fit; an empty one is not written.
+fn table(
+    out: &mut String,
+    name: &str,
+    entry_type: &str,
+    entries: impl ExactSizeIterator<Item = String>,
+) -> std::fmt::Result {
+    if entries.len() == 0 {
+        return Ok(());
+    }
+    write!(out, "    static {name}: [{entry_type}; {}] = [", entries.len())?;
+    let mut column = WIDTH;
+    for entry in entries {
+        if column + entry.len() + 2 > WIDTH {
+            write!(out, "\n       ")?;
+            column = 7;
+        }
+        write!(out, " {entry},")?;
+        column += entry.len() + 2;
+    }
+    writeln!(out, "\n    ];")
+}
+
+fn row<T: Display + Copy + Into<i32>, const N: usize>(numbers: &[T; N]) -> String {
+    let texts: Vec<String> = numbers.iter().map(|&n| number(n.into())).collect();
+    format!("[{}]", texts.join(", "))
+}
+
+/// Numbers of more than five digits are grouped, as `clippy::unreadable_literal` wants them.
+fn number(number: i32) -> String {
+    let magnitude = number.unsigned_abs() as usize;
+    let sign = if number < 0 { "-" } else { "" };
+    if magnitude < 100_000 {
+        format!("{sign}{magnitude}")
+    } else {
+        format!("{sign}{}", grouped(magnitude, '_'))
+    }
+}
+
+fn material(material: &Material) -> String {
+    format!(
+        "Material {{ color: {}, triangle_count: {} }}",
+        row(&material.color),
+        grouped(material.triangle_count as usize, '_')
+    )
+}
+
+/// A file name that can neither end a comment nor its code span.
+fn in_comment(name: &str) -> String {
+    format!("`{}`", name.escape_debug().to_string().replace('`', "'"))
+}
+
+/// The name of the static for a file stem or for the name asked for: words in capitals, joined by underscores. A word
+/// also starts where a capital follows a small letter. Capitals are no keywords, so any name in them can be used.
+pub(super) fn static_name(name: &str) -> String {
+    let mut result = String::new();
+    let mut before = ' ';
+    for c in name.chars() {
+        let starts_word = before.is_lowercase() && c.is_uppercase();
+        if (starts_word || !c.is_ascii_alphanumeric()) && !result.is_empty() && !result.ends_with('_') {
+            result.push('_');
+        }
+        if c.is_ascii_alphanumeric() {
+            result.push(c.to_ascii_uppercase());
+        }
+        before = c;
+    }
+    let result = result.trim_end_matches('_');
+    match result.chars().next() {
+        None => "MODEL".to_owned(),
+        Some('0'..='9') => format!("MODEL_{result}"),
+        Some(_) => result.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_stem_becomes_an_identifier() {
+        for (stem, name) in [
+            ("gear", "GEAR"),
+            ("torus_knot", "TORUS_KNOT"),
+            ("TorusKnot-v2 (final).1", "TORUS_KNOT_V2_FINAL_1"),
+            ("2cv", "MODEL_2CV"),
+            ("Würfel", "W_RFEL"),
+            ("模型", "MODEL"),
+            ("", "MODEL"),
+            ("__", "MODEL"),
+            ("static", "STATIC"),
+            ("SPOT", "SPOT"),
+        ] {
+            assert_eq!(static_name(stem), name);
+        }
+    }
+
+    #[test]
+    fn long_numbers_are_grouped() {
+        assert_eq!(row(&[-32_767_i16, 0, 99]), "[-32767, 0, 99]");
+        assert_eq!(row(&[-1_234_567, 99_999, 100_000]), "[-1_234_567, 99999, 100_000]");
+    }
+
+    #[test]
+    fn file_names_stay_in_their_comment() {
+        assert_eq!(in_comment("a\nb`c.obj"), "`a\\nb'c.obj`");
+    }
+}

@@ -1,0 +1,224 @@
+//! What can go wrong on the way from a file to tables, and what to do about it.
+
+use std::{io, path::PathBuf};
+
+use thiserror::Error;
+
+/// Why a model could not be converted.
+#[derive(Debug, Error)]
+pub enum ModelError {
+    /// The file could not be opened or read.
+    #[error("{path}: {source}: check the path and that the file may be read")]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// The path names a directory.
+    #[error("{path} is a directory: name the file in it")]
+    Directory {
+        /// The directory.
+        path: PathBuf,
+    },
+    /// The path names a device, a pipe or a socket.
+    #[error("{path} is not an ordinary file: save the model to a file first")]
+    NotAFile {
+        /// What was named.
+        path: PathBuf,
+    },
+    /// The file has no bytes.
+    #[error("{path} is empty: export the model again")]
+    Empty {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A line of the file is wrong.
+    #[error("{path}:{line}: {fault}")]
+    Line {
+        /// The file.
+        path: PathBuf,
+        /// The line, from 1; for a statement continued by `\`, its first.
+        line: usize,
+        /// What is wrong with it.
+        fault: LineFault,
+    },
+    /// The file has no `v` line.
+    #[error("{path} has no vertices (lines `v x y z`): is it an OBJ file, and was anything selected for export?")]
+    NoVertices {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The file has no `f` line.
+    #[error("{path} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points or curves")]
+    NoFaces {
+        /// The file.
+        path: PathBuf,
+    },
+    /// All vertices of all faces coincide.
+    #[error("{path} has no size: all its faces' vertices lie at one point; export it again with more decimal places")]
+    NoSize {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Every triangle is degenerate.
+    #[error("{path}: all {faces} faces have zero area: export it again with more decimal places")]
+    NoArea {
+        /// The file.
+        path: PathBuf,
+        /// How many faces there are.
+        faces: usize,
+    },
+    /// The vertices do not fit indices of 16 bits.
+    #[error(
+        "{path} needs {count} vertices, more than the 65,536 that 16-bit indices can name: simplify the model, split it \
+         into several, raise the crease angle, or leave out normals or texture coordinates"
+    )]
+    TooManyVertices {
+        /// The file.
+        path: PathBuf,
+        /// How many there are after equal ones were merged.
+        count: usize,
+    },
+    /// [`Fit::Keep`](super::Fit::Keep) was asked for and a coordinate is out of range.
+    #[error(
+        "{path}: coordinate {value} does not fit Q16.16 (-32,768 to 32,767.99998): use the unit fit, or scale or move \
+         the model"
+    )]
+    OutOfRange {
+        /// The file.
+        path: PathBuf,
+        /// The coordinate.
+        value: f64,
+    },
+    /// [`Fit::Keep`](super::Fit::Keep) was asked for and the model is tiny.
+    #[error(
+        "{path} measures {size} units, too few steps of 1/65,536 to show its shape: use the unit fit, or scale the model"
+    )]
+    TooSmall {
+        /// The file.
+        path: PathBuf,
+        /// Its largest extent along an axis.
+        size: f64,
+    },
+    /// Texture coordinates were asked for and the file has none.
+    #[error(
+        "{path} has no texture coordinates (lines `vt u v`, faces `f 1/1 2/2 3/3`): export them, or leave them out of \
+         the contents"
+    )]
+    NoTextureCoordinates {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The texture coordinates cover more than a `u16` can count.
+    #[error(
+        "{path}: texture coordinates range over {range} repeats of the texture, which 16 bits cannot hold: move the \
+         texture islands together or scale them down"
+    )]
+    TextureRange {
+        /// The file.
+        path: PathBuf,
+        /// The larger of the two ranges.
+        range: f64,
+    },
+    /// The crease angle is out of range.
+    #[error("a crease angle of {degrees} degrees makes no sense: choose 0 (all edges hard) to 180 (all smooth)")]
+    Crease {
+        /// The angle given.
+        degrees: f64,
+    },
+    /// The parser refused what the line checks let pass.
+    #[error("{path}: the OBJ parser says: {source}")]
+    Parse {
+        /// The file.
+        path: PathBuf,
+        /// What it said.
+        source: tobj::LoadError,
+    },
+    /// The result could not be written.
+    #[error("{path} could not be written: {source}: check that its directory exists and may be written to")]
+    Write {
+        /// The file that was to be written.
+        path: PathBuf,
+        /// What the operating system said.
+        source: io::Error,
+    },
+    /// There is no `OUT_DIR`.
+    #[error("OUT_DIR is not set: call this from a build script (build.rs), which Cargo gives that variable")]
+    NoOutDir,
+}
+
+/// What is wrong with a line.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum LineFault {
+    /// A byte that UTF-8 does not allow.
+    #[error(
+        "byte 0x{byte:02X} is not UTF-8 text: save the file as UTF-8, or remove accented letters from its comments"
+    )]
+    NotUtf8 {
+        /// The byte.
+        byte: u8,
+    },
+    /// Fewer numbers than the statement needs.
+    #[error("`{keyword}` needs {needed} numbers and has {found}: complete the line or export the model again")]
+    TooFewNumbers {
+        /// `v`, `vn` or `vt`.
+        keyword: &'static str,
+        /// How many it needs.
+        needed: usize,
+        /// How many it has.
+        found: usize,
+    },
+    /// A word that is no number.
+    #[error("`{word}` is not a number: write it like 1.5 or -2e-3, with a point and no comma")]
+    NotANumber {
+        /// The word.
+        word: String,
+    },
+    /// NaN or infinity.
+    #[error("`{word}` is not a finite number: repair the model (a division by zero in the exporter?)")]
+    NotFinite {
+        /// The word.
+        word: String,
+    },
+    /// A face of one or two corners.
+    #[error("a face needs 3 corners or more and has {found}: remove the line, or make it a line element `l`")]
+    TooFewCorners {
+        /// How many it has.
+        found: usize,
+    },
+    /// A face corner of another form than `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    #[error("`{corner}` is not a face corner: write whole numbers as in 1, 1/2, 1//3 or 1/2/3")]
+    BadCorner {
+        /// The corner.
+        corner: String,
+    },
+    /// Index 0.
+    #[error("index 0 in `{corner}`: OBJ counts from 1 (or from -1 backwards)")]
+    IndexZero {
+        /// The corner.
+        corner: String,
+    },
+    /// An index that nothing answers to.
+    #[error("`{corner}` names {kind} {index}, but there are {count}: check the export, or that no lines are missing")]
+    IndexOutOfRange {
+        /// The corner.
+        corner: String,
+        /// `vertex`, `texture coordinate` or `normal`.
+        kind: &'static str,
+        /// The index as written.
+        index: i64,
+        /// How many it can choose from.
+        count: usize,
+    },
+}
+
+/// Shortens a word for a message: a file of one endless line must not become a message of that length.
+pub(super) fn quote(word: &str) -> String {
+    const LONGEST: usize = 40;
+    let mut short: String = word.chars().take(LONGEST).collect();
+    if short.len() < word.len() {
+        short.push('…');
+    }
+    short
+}

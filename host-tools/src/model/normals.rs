@@ -1,0 +1,131 @@
+//! Vertex normals.
+
+use super::{
+    triangulate::Triangle,
+    vector::{Vector, add, angle, cross, dot, normalized, scaled, sub},
+};
+
+/// The unit normal of a triangle that is counter-clockwise seen from its front.
+pub(super) fn face_normal([a, b, c]: [Vector; 3]) -> Vector {
+    // Of the three cross products that agree but for rounding, this is the one at the first corner.
+    normalized(cross(sub(b, a), sub(c, a))).unwrap_or([0.0, 0.0, 1.0])
+}
+
+/// A unit normal for each corner of each triangle.
+///
+/// The file's own where it gives one. Elsewhere the mean of the normals of the faces round the position, each weighted
+/// by its angle there, so that how a polygon was cut makes no difference (Thürmer and Wüthrich, "Computing vertex
+/// normals from polygonal facets", Journal of Graphics Tools 3(1), 1998); only faces that are turned by no more than
+/// `crease` radians from the corner's own take part, so that sharper edges stay hard. The time is quadratic in the number
+/// of faces round one position, which is small except at the tip of a cone of thousands of sides.
+pub(super) fn corner_normals(triangles: &[Triangle], positions: &[Vector], crease: f64) -> Vec<[Vector; 3]> {
+    let place = |triangle: &Triangle, corner: usize| positions[triangle.corners[corner % 3].position as usize];
+    let faces: Vec<Vector> = triangles
+        .iter()
+        .map(|t| face_normal([0, 1, 2].map(|i| place(t, i))))
+        .collect();
+    let mut around: Vec<Vec<(usize, f64)>> = vec![Vec::new(); positions.len()];
+    for (face, triangle) in triangles.iter().enumerate() {
+        for corner in 0..3 {
+            let apex = place(triangle, corner);
+            let opening = angle(
+                sub(place(triangle, corner + 1), apex),
+                sub(place(triangle, corner + 2), apex),
+            );
+            around[triangle.corners[corner].position as usize].push((face, opening));
+        }
+    }
+    // An angle equal to the crease is within it, whatever its cosine was rounded to.
+    let least = crease.cos() - 1e-9;
+    let smooth = |face: usize, position: u32| {
+        let (mut sum, mut weight) = ([0.0; 3], 0.0);
+        for &(other, opening) in &around[position as usize] {
+            if dot(faces[other], faces[face]) >= least {
+                sum = add(sum, scaled(faces[other], opening));
+                weight += opening;
+            }
+        }
+        // Faces back to back cancel out but for rounding, which has no direction.
+        if dot(sum, sum).sqrt() > 1e-9 * weight {
+            normalized(sum).unwrap_or(faces[face])
+        } else {
+            faces[face]
+        }
+    };
+    triangles
+        .iter()
+        .enumerate()
+        .map(|(face, triangle)| {
+            triangle
+                .corners
+                .map(|c| normalized(c.normal).unwrap_or_else(|| smooth(face, c.position)))
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::polygons::Corner, *};
+
+    fn triangle(positions: [u32; 3], normal: Vector) -> Triangle {
+        Triangle {
+            corners: positions.map(|position| Corner {
+                position,
+                normal,
+                texture: [0.0; 2],
+            }),
+            material: 0,
+        }
+    }
+
+    /// Two squares that meet at a right angle, the first cut once more than the second.
+    const POSITIONS: [Vector; 6] = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.0, 0.0, 1.0],
+        [0.0, 0.0, 1.0],
+        [0.0, 1.0, 0.0],
+        [1.0, 1.0, 0.0],
+    ];
+
+    fn roof() -> Vec<Triangle> {
+        [[0, 2, 1], [0, 3, 2], [0, 1, 5], [0, 5, 4]]
+            .map(|t| triangle(t, [0.0; 3]))
+            .to_vec()
+    }
+
+    #[test]
+    fn creases_split_normals_and_angles_weight_them() {
+        let hard = corner_normals(&roof(), &POSITIONS, 60_f64.to_radians());
+        assert_eq!(hard[0], [[0.0, 1.0, 0.0]; 3]);
+        assert_eq!(hard[3], [[0.0, 0.0, 1.0]; 3]);
+        // At position 0 two triangles of 45 degrees on either side weigh as much as the single one of 90 at position 1.
+        let soft = corner_normals(&roof(), &POSITIONS, 90_f64.to_radians());
+        let diagonal = [0.0, 0.5_f64.sqrt(), 0.5_f64.sqrt()];
+        for normal in [soft[0][0], soft[0][2], soft[2][0], soft[2][1]] {
+            assert!(angle(normal, diagonal) < 1e-12, "{normal:?}");
+        }
+        assert_eq!(soft[1][1], [0.0, 1.0, 0.0]);
+    }
+
+    #[test]
+    fn given_normals_are_normalised_and_kept() {
+        let given = triangle([0, 1, 2], [0.0, 3.0, -4.0]);
+        assert_eq!(corner_normals(&[given], &POSITIONS, 1.0), [[[0.0, 0.6, -0.8]; 3]]);
+    }
+
+    #[test]
+    fn faces_back_to_back_keep_their_own_normals() {
+        let sheet = [triangle([0, 1, 5], [0.0; 3]), triangle([0, 5, 1], [0.0; 3])];
+        let normals = corner_normals(&sheet, &POSITIONS, std::f64::consts::PI);
+        assert_eq!(normals[0], [[0.0, 0.0, 1.0]; 3]);
+        assert_eq!(normals[1], [[0.0, 0.0, -1.0]; 3]);
+        // The back in two parts: the sum is the noise of rounding.
+        let positions = [[0.1, 0.2, 0.3], [0.7, 0.1, 0.5], [0.3, 0.9, 0.2], [0.5, 0.5, 0.35]];
+        let sheet = [[0, 1, 2], [0, 2, 3], [0, 3, 1]].map(|t| triangle(t, [0.0; 3]));
+        let normals = corner_normals(&sheet, &positions, std::f64::consts::PI);
+        let front = face_normal([positions[0], positions[1], positions[2]]);
+        assert!(angle(normals[0][0], front) < 1e-12, "{:?}", normals[0][0]);
+        assert!(angle(normals[1][0], front) > 3.0, "{:?}", normals[1][0]);
+    }
+}

@@ -1,0 +1,137 @@
+//! The polygons of an OBJ file, as `tobj` reads them.
+
+use std::{collections::HashMap, path::Path};
+
+use super::{
+    error::ModelError,
+    mtl::{self, Libraries},
+    validate::Checked,
+    vector::{Vector, key},
+};
+
+/// All faces of a file.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Polygons {
+    /// The positions that faces use, each once, as written in the file.
+    pub positions: Vec<Vector>,
+    /// The corners of the faces, one face after the other.
+    pub corners: Vec<Corner>,
+    /// Each face's number of corners and its material.
+    pub faces: Vec<(usize, usize)>,
+    /// The materials' colours.
+    pub colors: Vec<[u8; 3]>,
+}
+
+/// A corner of a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Corner {
+    /// The place of its position in [`Polygons::positions`].
+    pub position: u32,
+    /// The normal that the file gives it, of any length; 0 if none.
+    pub normal: Vector,
+    /// Its texture coordinates as in the file, v running upwards.
+    pub texture: [f64; 2],
+}
+
+/// Parses a checked file.
+pub(super) fn read(path: &Path, checked: &Checked, libraries: &Libraries) -> Result<Polygons, ModelError> {
+    let failed = |source| ModelError::Parse {
+        path: path.into(),
+        source,
+    };
+    // The default keeps polygons whole and the three indices of a corner apart.
+    let options = tobj::LoadOptions::default();
+    let (models, materials) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |_| {
+        tobj::load_mtl_buf(&mut libraries.text.as_bytes())
+    })
+    .map_err(failed)?;
+    let materials = materials.map_err(failed)?;
+
+    let mut polygons = Polygons {
+        // The last one is for faces without a material.
+        colors: materials
+            .iter()
+            .map(|material| material.diffuse.map_or(mtl::DEFAULT_COLOR, mtl::quantised))
+            .chain([mtl::DEFAULT_COLOR])
+            .collect(),
+        ..Polygons::default()
+    };
+    let mut known = HashMap::new();
+    for tobj::Model { mesh, .. } in &models {
+        let material = mesh.material_id.unwrap_or(materials.len());
+        for corner in 0..mesh.indices.len() {
+            let position = nth(&mesh.positions, mesh.indices[corner]);
+            let index = *known.entry(key(position)).or_insert_with(|| {
+                polygons.positions.push(position);
+                polygons.positions.len() as u32 - 1
+            });
+            polygons.corners.push(Corner {
+                position: index,
+                normal: nth(&mesh.normals, mesh.normal_indices[corner]),
+                texture: nth(&mesh.texcoords, mesh.texcoord_indices[corner]),
+            });
+        }
+        if mesh.face_arities.is_empty() {
+            // `tobj` leaves the arities out where all faces are triangles.
+            polygons
+                .faces
+                .extend(std::iter::repeat_n((3, material), mesh.indices.len() / 3));
+        } else {
+            polygons
+                .faces
+                .extend(mesh.face_arities.iter().map(|&arity| (arity as usize, material)));
+        }
+    }
+    Ok(polygons)
+}
+
+fn nth<const N: usize>(values: &[f64], index: u32) -> [f64; N] {
+    std::array::from_fn(|i| values[index as usize * N + i])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        super::{source::statements, validate},
+        *,
+    };
+
+    fn polygons(text: &str) -> Polygons {
+        let path = Path::new("m.obj");
+        let checked = validate::check(path, &statements(text)).unwrap();
+        let libraries = Libraries {
+            text: "newmtl a\nKd 1 0 0\nnewmtl b\n".into(),
+            ..Libraries::default()
+        };
+        read(path, &checked, &libraries).unwrap()
+    }
+
+    #[test]
+    fn corners_keep_their_own_indices() {
+        // The second face leaves out what the first has, names a vertex further down, and repeats a position.
+        let polygons = polygons(
+            "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 0.25\nvn 0 0 3\nf 1/1/1 2/1/1 3/1/1\nf 1 -2 4 5\nv 0.1 -0 0\nv 2 2 2",
+        );
+        assert_eq!(polygons.positions[0], [0.1, 0.0, 0.0]);
+        let indices: Vec<u32> = polygons.corners.iter().map(|c| c.position).collect();
+        assert_eq!(indices, [0, 1, 2, 0, 1, 0, 3]);
+        assert_eq!(polygons.faces, [(3, 2), (4, 2)]);
+        assert_eq!(
+            (polygons.corners[2].normal, polygons.corners[2].texture),
+            ([0.0, 0.0, 3.0], [0.5, 0.25])
+        );
+        assert_eq!(
+            (polygons.corners[3].normal, polygons.corners[3].texture),
+            ([0.0; 3], [0.0; 2])
+        );
+    }
+
+    #[test]
+    fn materials_are_those_in_force() {
+        let polygons = polygons(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl a\no x\nf 1 2 3\ng\nusemtl c\nf 1 2 3",
+        );
+        let colors: Vec<[u8; 3]> = polygons.faces.iter().map(|&(_, m)| polygons.colors[m]).collect();
+        assert_eq!(colors, [[200; 3], [200; 3], [255, 0, 0], [200; 3]]);
+    }
+}

@@ -1,0 +1,167 @@
+//! From f64 to the integers of the tables.
+
+use std::path::Path;
+
+use rasterizer::numbers::Scale;
+
+use super::{
+    error::ModelError,
+    vector::{Vector, angle, length, sub},
+};
+
+/// The length of a quantum in model units.
+pub(super) fn quantum(scale: Scale) -> f64 {
+    f64::from(scale.mantissa()) * 2_f64.powi(scale.exponent())
+}
+
+/// Positions relative to `offset` as integers, the largest coordinate being 32,767.
+///
+/// The scale is rounded to 32 bits first and the positions to multiples of what it then is, so that each coordinate is
+/// off by half a quantum at most and the scale's own rounding costs nothing.
+pub(super) fn positions(exact: &[Vector], offset: Vector) -> (Vec<[i16; 3]>, Scale) {
+    let relative = exact.iter().map(|&p| sub(p, offset));
+    let half_extent = relative.clone().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
+    let scale = nearest_scale(half_extent / 32_767.0);
+    let quantum = quantum(scale);
+    (
+        relative.map(|p| p.map(|x| (x / quantum).round() as i16)).collect(),
+        scale,
+    )
+}
+
+/// The scale nearest to a positive number.
+fn nearest_scale(value: f64) -> Scale {
+    let exponent = value.log2().floor() as i32 - 31;
+    let mantissa = (value / 2_f64.powi(exponent)).round();
+    // A logarithm rounded the wrong way, or a mantissa rounded up to the next power of two, needs a bit more.
+    if mantissa < f64::from(u32::MAX) {
+        Scale::new(mantissa as u32, exponent)
+    } else {
+        Scale::new((mantissa / 2.0).round() as u32, exponent + 1)
+    }
+}
+
+/// The position that integers stand for.
+pub(super) fn position(quantised: [i16; 3], scale: Scale, offset: Vector) -> Vector {
+    [0, 1, 2].map(|i| offset[i] + quantum(scale) * f64::from(quantised[i]))
+}
+
+/// A unit normal in 127ths.
+///
+/// Of the eight triples round it, that of the least angle whose length is off by no more than rounding each coordinate
+/// could make it, half the diagonal of a cube of side 1: a shader that takes the length for 1 loses nothing.
+pub(super) fn normal(exact: Vector) -> [i8; 3] {
+    let target = exact.map(|x| x * 127.0);
+    let candidates = (0..8).map(|corner| {
+        [0, 1, 2].map(|axis| {
+            let up = corner >> axis & 1 == 1;
+            if up { target[axis].ceil() } else { target[axis].floor() }
+        })
+    });
+    let near =
+        candidates.filter(|&c| (length(c) - 127.0).abs() <= 0.75_f64.sqrt() && c.iter().all(|x| x.abs() <= 127.0));
+    let best = near.min_by(|&a, &b| angle(a, exact).total_cmp(&angle(b, exact)));
+    best.unwrap_or_else(|| target.map(f64::round)).map(|x| x as i8)
+}
+
+/// By how many radians a quantised normal is off.
+pub(super) fn normal_error(quantised: [i8; 3], exact: Vector) -> f64 {
+    angle(quantised.map(f64::from), exact)
+}
+
+/// Texture coordinates with v running down from the texture's top left, no less than 0.
+///
+/// Textures repeat, so whole numbers come off either axis without a visible change.
+pub(super) fn turn_textures(textures: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let turned = textures.iter().map(|&[u, v]| [u, 1.0 - v]);
+    let whole = turned
+        .clone()
+        .fold([f64::INFINITY; 2], |min, t| [min[0].min(t[0]), min[1].min(t[1])])
+        .map(f64::floor);
+    turned.map(|t| [t[0] - whole[0], t[1] - whole[1]]).collect()
+}
+
+/// Turned texture coordinates in the finest fraction of a repeat whose largest multiple fits, and its bits.
+pub(super) fn textures(path: &Path, turned: &[[f64; 2]]) -> Result<(Vec<[u16; 2]>, u8), ModelError> {
+    let range = turned.as_flattened().iter().fold(0.0, |m: f64, &t| m.max(t));
+    let in_units = |t: f64, bits: u8| (t * f64::from(1_u32 << bits)).round();
+    let bits = (0..=16)
+        .rev()
+        .find(|&bits| in_units(range, bits) <= f64::from(u16::MAX))
+        .ok_or_else(|| ModelError::TextureRange {
+            path: path.into(),
+            range,
+        })?;
+    let table = turned.iter().map(|t| t.map(|t| in_units(t, bits) as u16)).collect();
+    Ok((table, bits))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::vector::normalized, *};
+
+    /// Points from a Weyl sequence, spread evenly over (-1, 1)³.
+    fn points() -> impl Iterator<Item = Vector> {
+        (1..5_000).map(|i| [0.754_877, 0.569_840, 0.430_159].map(|step| (f64::from(i) * step).fract() * 2.0 - 1.0))
+    }
+
+    #[test]
+    fn positions_are_within_half_a_quantum() {
+        for size in [1e-3, 1.0, 12_345.6] {
+            let exact: Vec<Vector> = points().map(|p| p.map(|x| x * size)).collect();
+            let offset = [0.3 * size, -0.1 * size, 0.0];
+            let (table, scale) = positions(&exact, offset);
+            assert!(scale.mantissa() >= 1 << 31);
+            let largest = table.as_flattened().iter().map(|x| x.unsigned_abs()).max();
+            assert_eq!(largest, Some(32_767));
+            for (&q, &p) in table.iter().zip(&exact) {
+                let error = sub(position(q, scale, offset), p);
+                // and what f64 itself rounds
+                let limit = quantum(scale) * 0.5 + 1e-15 * size;
+                assert!(error.iter().all(|e| e.abs() <= limit), "{q:?} for {p:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn scales_are_rounded_to_32_bits() {
+        assert_eq!(nearest_scale(1.0), Scale::ONE);
+        assert_eq!(nearest_scale(0.75), Scale::new(3, -2));
+        assert_eq!(nearest_scale(1.0 - 1e-12), Scale::ONE);
+        for value in [1e-9, 0.1, 3.3, 1e5] {
+            let error = (quantum(nearest_scale(value)) / value - 1.0).abs();
+            assert!(error <= 2_f64.powi(-32), "{value}: {error}");
+        }
+    }
+
+    #[test]
+    fn normals_are_no_worse_than_rounded_in_angle_nor_in_length() {
+        assert_eq!(normal([0.0, -1.0, 0.0]), [0, -127, 0]);
+        let (mut worst, mut worst_rounded) = (0.0_f64, 0.0_f64);
+        for exact in points().filter_map(normalized) {
+            let chosen = normal(exact);
+            let rounded = exact.map(|x| (x * 127.0).round() as i8);
+            assert!(normal_error(chosen, exact) <= normal_error(rounded, exact), "{exact:?}");
+            assert!(
+                (length(chosen.map(f64::from)) - 127.0).abs() <= 0.75_f64.sqrt(),
+                "{exact:?}"
+            );
+            worst = worst.max(normal_error(chosen, exact));
+            worst_rounded = worst_rounded.max(normal_error(rounded, exact));
+        }
+        // Rounding is off by up to half the diagonal of a unit cube at a distance of 127: 0.39 degrees.
+        assert!(worst < 0.9 * worst_rounded && worst_rounded < 0.39_f64.to_radians());
+    }
+
+    #[test]
+    fn textures_are_turned_down_and_freed_of_whole_numbers() {
+        assert_eq!(turn_textures(&[[-1.75, 0.0], [2.5, 3.25]]), [[0.25, 4.0], [4.5, 0.75]]);
+        let path = Path::new("m.obj");
+        assert_eq!(textures(path, &[[0.25, 4.0]]).unwrap(), (vec![[2_048, 32_768]], 13));
+        assert_eq!(textures(path, &[[0.25, 0.999]]).unwrap().1, 16);
+        assert_eq!(textures(path, &[[0.25, 1.0]]).unwrap(), (vec![[8_192, 32_768]], 15));
+        assert_eq!(textures(path, &[[65_535.4, 0.0]]).unwrap(), (vec![[65_535, 0]], 0));
+        let error = textures(path, &[[65_536.0, 0.0]]).unwrap_err().to_string();
+        assert!(error.contains("65536 repeats") && error.contains("move the"), "{error}");
+    }
+}

@@ -1,0 +1,179 @@
+//! What the conversion changed and what its result takes.
+
+use std::fmt;
+
+/// The figures of a conversion.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Report {
+    /// Vertices (`v` lines) in the file.
+    pub file_vertices: usize,
+    /// Faces of three corners or more in the file.
+    pub file_faces: usize,
+    /// Vertices in the tables.
+    pub vertices: usize,
+    /// Triangles in the tables.
+    pub triangles: usize,
+    /// Triangles left out because they have no area.
+    pub dropped_triangles: usize,
+    /// The diagonal of the bounding box in model units.
+    pub size: f64,
+    /// The longest distance between a vertex and its quantised position, in model units.
+    pub position_error_max: f64,
+    /// The root of the mean square of these distances, in model units.
+    pub position_error_rms: f64,
+    /// The largest angle between a vertex or face normal and its quantised form, in degrees.
+    pub normal_error_degrees: f64,
+    /// The largest error of a texture coordinate, in repeats of the texture.
+    pub texture_error: f64,
+    /// Vertices transformed per triangle with a first-in-first-out cache of 16, in the file's order.
+    pub cache_misses_before: f64,
+    /// The same in the tables' order.
+    pub cache_misses: f64,
+    /// The bytes of the tables.
+    pub flash: Flash,
+}
+
+/// The bytes that each table takes in flash.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Flash {
+    /// Three `i16` a vertex.
+    pub positions: usize,
+    /// Three `i8` a vertex.
+    pub vertex_normals: usize,
+    /// Three `i8` a triangle.
+    pub face_normals: usize,
+    /// Two `u16` a vertex.
+    pub texture_coordinates: usize,
+    /// Three `u8` or `u16` a triangle.
+    pub triangles: usize,
+    /// One `Material` each.
+    pub materials: usize,
+}
+
+impl Flash {
+    /// The tables by name.
+    #[must_use]
+    pub const fn tables(&self) -> [(&'static str, usize); 6] {
+        [
+            ("positions", self.positions),
+            ("vertex_normals", self.vertex_normals),
+            ("face_normals", self.face_normals),
+            ("texture_coordinates", self.texture_coordinates),
+            ("triangles", self.triangles),
+            ("materials", self.materials),
+        ]
+    }
+
+    /// All tables together. The `Mesh` that refers to them takes some 120 bytes more.
+    #[must_use]
+    pub fn total(&self) -> usize {
+        self.tables().iter().map(|(_, bytes)| bytes).sum()
+    }
+}
+
+impl Report {
+    /// `error`, a length in model units, in percent of the model's size.
+    #[must_use]
+    pub fn percent_of_size(&self, error: f64) -> f64 {
+        error / self.size * 100.0
+    }
+}
+
+impl fmt::Display for Report {
+    /// One figure a line.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "Vertices: {}, in the file {}",
+            thousands(self.vertices),
+            thousands(self.file_vertices)
+        )?;
+        writeln!(
+            f,
+            "Triangles: {}, in the file {} faces; left out as they have no area: {}",
+            thousands(self.triangles),
+            thousands(self.file_faces),
+            thousands(self.dropped_triangles)
+        )?;
+        writeln!(f, "Size (diagonal of the bounding box): {:.4} units", self.size)?;
+        writeln!(
+            f,
+            "Position error: {:.2e} units at most ({:.5} % of the size), {:.2e} root mean square ({:.5} %)",
+            self.position_error_max,
+            self.percent_of_size(self.position_error_max),
+            self.position_error_rms,
+            self.percent_of_size(self.position_error_rms)
+        )?;
+        if self.flash.vertex_normals + self.flash.face_normals > 0 {
+            writeln!(f, "Normal error: {:.3} degrees at most", self.normal_error_degrees)?;
+        }
+        if self.flash.texture_coordinates > 0 {
+            writeln!(
+                f,
+                "Texture coordinate error: {:.2e} of a repeat at most",
+                self.texture_error
+            )?;
+        }
+        writeln!(
+            f,
+            "Vertices transformed per triangle (cache of 16): {:.3}, in the file's order {:.3}",
+            self.cache_misses, self.cache_misses_before
+        )?;
+        writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
+        for (name, bytes) in self.flash.tables() {
+            writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;
+        }
+        Ok(())
+    }
+}
+
+/// 1234567 as 1,234,567.
+pub(super) fn thousands(number: usize) -> String {
+    grouped(number, ',')
+}
+
+/// A number with its digits in groups of three.
+pub(super) fn grouped(number: usize, separator: char) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (place, digit) in digits.chars().enumerate() {
+        if place > 0 && (digits.len() - place).is_multiple_of(3) {
+            text.push(separator);
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_grouped() {
+        assert_eq!(thousands(0), "0");
+        assert_eq!(thousands(999), "999");
+        assert_eq!(thousands(123_456), "123,456");
+        assert_eq!(grouped(1_234_567, '_'), "1_234_567");
+    }
+
+    #[test]
+    fn figures_of_absent_tables_are_not_shown() {
+        let mut report = Report {
+            size: 2.0,
+            position_error_max: 1e-5,
+            ..Report::default()
+        };
+        let text = report.to_string();
+        assert!(text.contains("1.00e-5 units at most (0.00050 % of the size)"), "{text}");
+        assert!(!text.contains("Normal") && !text.contains("Texture"), "{text}");
+        report.flash.vertex_normals = 3;
+        report.flash.texture_coordinates = 4;
+        let text = report.to_string();
+        assert!(
+            text.contains("Normal error") && text.contains("Texture coordinate error"),
+            "{text}"
+        );
+        assert!(text.contains("Flash: 7 bytes"), "{text}");
+    }
+}

@@ -1,0 +1,257 @@
+//! The line-by-line checks of an OBJ file, and its statements put in a form that the parser reads right.
+//!
+//! The parser, `tobj` 4.0, names no line in its errors. It also gives a wrong result, without an error, where faces leave
+//! out texture coordinates or normals that other faces have (it takes those of the corner before), and makes faces of
+//! polylines (`l`); it refuses comments behind numbers, continued lines, tabs in `usemtl`, one-dimensional texture
+//! coordinates, vertex colours on some vertices only, and faces that name a vertex further down. So it is given the same
+//! numbers, as written, in plain order: positions, texture coordinates, normals, then faces with absolute indices.
+
+use std::{collections::HashSet, fmt::Write as _, path::Path};
+
+use super::{
+    error::{LineFault, ModelError, quote},
+    source::Statement,
+};
+
+/// A file that has passed the checks.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Checked {
+    /// Its statements for `tobj`. The last normal is (0, 0, 0) and stands for "none"; the last texture coordinates
+    /// are (0, 0), for the corners without.
+    pub text: String,
+    /// `mtllib` statements: line and argument.
+    pub libraries: Vec<(usize, String)>,
+    /// `usemtl` statements: line and name, each name once.
+    pub materials: Vec<(usize, String)>,
+    /// The number of `v` lines.
+    pub vertices: usize,
+    /// The number of faces.
+    pub faces: usize,
+    /// The number of face corners.
+    pub corners: usize,
+    /// How many of the corners have texture coordinates.
+    pub textured_corners: usize,
+    /// What was passed over.
+    pub warnings: Vec<String>,
+}
+
+/// How many positions, texture coordinates and normals there are.
+#[derive(Clone, Copy, Default)]
+struct Counts([usize; 3]);
+
+const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
+
+/// Checks all statements of the file at `path`.
+pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked, ModelError> {
+    let count = |keyword| statements.iter().filter(|s| s.keyword() == keyword).count();
+    let total = Counts(["v", "vt", "vn"].map(count));
+    if total.0[0] == 0 {
+        return Err(ModelError::NoVertices { path: path.into() });
+    }
+    let mut checked = Checked {
+        vertices: total.0[0],
+        ..Checked::default()
+    };
+    let mut seen = Counts::default();
+    let mut tables = [const { String::new() }; 3];
+    let mut faces = String::new();
+    let mut named = HashSet::new();
+    for statement in statements {
+        let at_line = |fault| ModelError::Line {
+            path: path.into(),
+            line: statement.line,
+            fault,
+        };
+        let mut coordinates = |table: usize, keyword, least, dimensions| {
+            let words = numbers(statement, keyword, least, dimensions)?;
+            // Writing to a string cannot fail.
+            let _ = writeln!(tables[table], "{keyword} {}", words.join(" "));
+            seen.0[table] += 1;
+            Ok(())
+        };
+        match statement.keyword() {
+            // A fourth number is a weight that only curves use; after it, or instead, come vertex colours.
+            "v" => coordinates(0, "v", 3, 3).map_err(at_line)?,
+            "vt" => coordinates(1, "vt", 1, 2).map_err(at_line)?,
+            "vn" => coordinates(2, "vn", 3, 3).map_err(at_line)?,
+            "f" => {
+                let corners = face(statement, seen, total).map_err(at_line)?;
+                faces.push('f');
+                for [v, vt, vn] in corners {
+                    checked.corners += 1;
+                    checked.textured_corners += usize::from(vt <= total.0[1]);
+                    let _ = write!(faces, " {v}/{vt}/{vn}");
+                }
+                faces.push('\n');
+                checked.faces += 1;
+            }
+            "mtllib" => checked.libraries.push((statement.line, statement.name().into())),
+            "usemtl" if statement.name().is_empty() => checked.warnings.push(format!(
+                "{}:{}: `usemtl` without a name is passed over",
+                path.display(),
+                statement.line
+            )),
+            "usemtl" => {
+                let name = statement.name();
+                if named.insert(name) {
+                    checked.materials.push((statement.line, name.into()));
+                }
+                let _ = writeln!(faces, "usemtl {name}");
+            }
+            _ => {}
+        }
+    }
+    if checked.faces == 0 {
+        return Err(ModelError::NoFaces { path: path.into() });
+    }
+    let [v, vt, vn] = tables;
+    checked.text = format!("mtllib materials\n{v}{vt}vt 0 0\n{vn}vn 0 0 0\n{faces}");
+    Ok(checked)
+}
+
+/// The first `dimensions` numbers of a statement as written, each checked; those beyond the `least` may be absent and
+/// are then 0.
+fn numbers<'a>(
+    statement: &'a Statement<'_>,
+    keyword: &'static str,
+    least: usize,
+    dimensions: usize,
+) -> Result<Vec<&'a str>, LineFault> {
+    let mut words: Vec<&str> = statement.arguments().take(dimensions).collect();
+    if words.len() < least {
+        return Err(LineFault::TooFewNumbers {
+            keyword,
+            needed: least,
+            found: words.len(),
+        });
+    }
+    for word in &words {
+        let value: f64 = word.parse().map_err(|_| LineFault::NotANumber { word: quote(word) })?;
+        if !value.is_finite() {
+            return Err(LineFault::NotFinite { word: quote(word) });
+        }
+    }
+    words.resize(dimensions, "0");
+    Ok(words)
+}
+
+/// The corners of a face as absolute indices from 1; one past the end for what a corner leaves out.
+fn face(statement: &Statement<'_>, seen: Counts, total: Counts) -> Result<Vec<[usize; 3]>, LineFault> {
+    let corners = statement
+        .arguments()
+        .map(|corner| {
+            let parts: Vec<&str> = corner.split('/').collect();
+            if parts.len() > 3 || parts[0].is_empty() {
+                return Err(LineFault::BadCorner { corner: quote(corner) });
+            }
+            let mut indices = total.0.map(|count| count + 1);
+            for (kind, part) in parts.iter().enumerate().filter(|(_, part)| !part.is_empty()) {
+                indices[kind] = index(corner, part, kind, seen.0[kind], total.0[kind])?;
+            }
+            Ok(indices)
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    if corners.len() < 3 {
+        return Err(LineFault::TooFewCorners { found: corners.len() });
+    }
+    Ok(corners)
+}
+
+/// An absolute index from 1. A negative one counts back from the last of those `seen` so far.
+fn index(corner: &str, part: &str, kind: usize, seen: usize, total: usize) -> Result<usize, LineFault> {
+    let written: i64 = part
+        .parse()
+        .map_err(|_| LineFault::BadCorner { corner: quote(corner) })?;
+    let (absolute, count) = match written {
+        0 => return Err(LineFault::IndexZero { corner: quote(corner) }),
+        1.. => (usize::try_from(written).ok().filter(|&i| i <= total), total),
+        _ => {
+            let back = usize::try_from(written.unsigned_abs()).ok();
+            (back.and_then(|b| (seen + 1).checked_sub(b)).filter(|&i| i > 0), seen)
+        }
+    };
+    absolute.ok_or_else(|| LineFault::IndexOutOfRange {
+        corner: quote(corner),
+        kind: KINDS[kind],
+        index: written,
+        count,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::source::statements, *};
+
+    const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+
+    fn message(text: &str) -> String {
+        check(Path::new("m.obj"), &statements(text)).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn each_fault_names_its_line_and_what_to_do() {
+        let cases = [
+            ("# nothing\n", "m.obj has no vertices"),
+            ("v 0 0 0\n", "m.obj has vertices but no faces"),
+            ("v 0 0 0\nv 1 2\n", "m.obj:2: `v` needs 3 numbers and has 2: complete"),
+            ("v 0 0 0\n\nvn 1\n", "m.obj:3: `vn` needs 3 numbers and has 1"),
+            ("v 0 0 0\nvt\n", "m.obj:2: `vt` needs 1 numbers and has 0"),
+            ("v 0 0,5 0\n", "m.obj:1: `0,5` is not a number: write it like 1.5"),
+            ("v 0 nan 0\n", "m.obj:1: `nan` is not a finite number"),
+            ("v 0 0 0\nv 0 0 1e999\n", "m.obj:2: `1e999` is not a finite number"),
+            ("v 0 0 0\nvn 0 -inf 0\n", "m.obj:2: `-inf` is not a finite number"),
+        ];
+        for (text, expected) in cases {
+            assert!(message(text).starts_with(expected), "{text:?}: {}", message(text));
+        }
+    }
+
+    #[test]
+    fn each_fault_of_a_face_names_its_line_and_what_to_do() {
+        let cases = [
+            ("f 1 2", ":4: a face needs 3 corners or more and has 2"),
+            ("f 1 2 4", ":4: `4` names vertex 4, but there are 3"),
+            ("f 1 2 -4", ":4: `-4` names vertex -4, but there are 3"),
+            ("f 1 2 0", ":4: index 0 in `0`: OBJ counts from 1"),
+            ("f 1 2 3/1", ":4: `3/1` names texture coordinate 1, but there are 0"),
+            ("f 1 2 3//7", ":4: `3//7` names normal 7, but there are 0"),
+            ("f 1 2 x", ":4: `x` is not a face corner: write whole numbers"),
+            ("f 1 2 /1", ":4: `/1` is not a face corner"),
+            ("f 1 2 3/1/1/1", ":4: `3/1/1/1` is not a face corner"),
+            (
+                "f 1 2 99999999999999999999",
+                ":4: `99999999999999999999` is not a face corner",
+            ),
+            ("f 1 \\\n2\nf 9 9 9", ":4: a face needs 3 corners"),
+            (
+                "f -1 -2 -9223372036854775808",
+                ":4: `-9223372036854775808` names vertex",
+            ),
+        ];
+        for (face, expected) in cases {
+            let text = format!("{TRIANGLE}{face}");
+            assert!(message(&text).contains(expected), "{face:?}: {}", message(&text));
+        }
+    }
+
+    #[test]
+    fn statements_become_what_the_parser_reads_right() {
+        let text = "v 0 0 0 0.5 # weight\nv 1 0 0 1 0 0\nv\t0 1 0\nvt 0.25\nvn 0 0 2\nl 1 2 3\np 1\n\
+                    usemtl\tdark red\nf 1/1 2//1 -1/-1/-1\nf 1 2 4\nv 5 5 5";
+        let checked = check(Path::new("m.obj"), &statements(text)).unwrap();
+        assert_eq!(
+            checked.text,
+            "mtllib materials\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nvt 0.25 0\nvt 0 0\nvn 0 0 2\nvn 0 0 0\n\
+             usemtl dark red\nf 1/1/2 2/2/1 3/1/1\nf 1/2/2 2/2/2 4/2/2\n"
+        );
+        assert_eq!((checked.vertices, checked.faces), (4, 2));
+        assert_eq!((checked.corners, checked.textured_corners), (6, 2));
+        assert_eq!(checked.materials, [(8, "dark red".to_owned())]);
+    }
+
+    #[test]
+    fn an_endless_word_is_shortened() {
+        let text = format!("v 0 0 {}", "x".repeat(1_000_000));
+        assert!(message(&text).len() < 200, "{} bytes", message(&text).len());
+    }
+}

@@ -1,0 +1,83 @@
+//! Corners into vertices: equal ones become one.
+
+use std::collections::HashMap;
+
+use super::{
+    Contents,
+    triangulate::Triangle,
+    vector::{Vector, key},
+};
+
+/// The distinct vertices and the triangles that name them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Welded {
+    /// Each vertex's place among the positions.
+    pub positions: Vec<u32>,
+    /// Each vertex's unit normal, 0 if normals are left out.
+    pub normals: Vec<Vector>,
+    /// Each vertex's texture coordinates, 0 if they are left out.
+    pub textures: Vec<[f64; 2]>,
+    /// Three vertices a triangle.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// Merges the corners that agree in position and in all that `contents` keeps.
+pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Contents) -> Welded {
+    let mut welded = Welded::default();
+    let mut known = HashMap::new();
+    for (triangle, normals) in triangles.iter().zip(normals) {
+        let vertices = [0, 1, 2].map(|i| {
+            let corner = &triangle.corners[i];
+            let normal = if contents.vertex_normals { normals[i] } else { [0.0; 3] };
+            let texture = if contents.texture_coordinates {
+                corner.texture
+            } else {
+                [0.0; 2]
+            };
+            *known
+                .entry((corner.position, key(normal), key(texture)))
+                .or_insert_with(|| {
+                    welded.positions.push(corner.position);
+                    welded.normals.push(normal);
+                    welded.textures.push(texture);
+                    welded.positions.len() as u32 - 1
+                })
+        });
+        welded.triangles.push(vertices);
+    }
+    welded
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::polygons::Corner, *};
+
+    #[test]
+    fn corners_split_only_where_a_kept_value_differs() {
+        let corner = |position, u| Corner {
+            position,
+            normal: [0.0; 3],
+            texture: [u, 0.0],
+        };
+        let triangle = |corners| Triangle { corners, material: 0 };
+        let triangles = [
+            triangle([corner(7, 0.0), corner(8, 0.0), corner(9, 0.0)]),
+            triangle([corner(7, -0.0), corner(9, 0.0), corner(8, 0.5)]),
+        ];
+        let up = [0.0, 1.0, 0.0];
+        let mut normals = [[up; 3], [up; 3]];
+        normals[1][1] = [1.0, 0.0, 0.0];
+        let count = |vertex_normals, texture_coordinates| {
+            let contents = Contents {
+                vertex_normals,
+                face_normals: false,
+                texture_coordinates,
+            };
+            weld(&triangles, &normals, contents).triangles
+        };
+        assert_eq!(count(false, false), [[0, 1, 2], [0, 2, 1]]);
+        assert_eq!(count(true, false), [[0, 1, 2], [0, 3, 1]]);
+        assert_eq!(count(false, true), [[0, 1, 2], [0, 2, 3]]);
+        assert_eq!(count(true, true), [[0, 1, 2], [0, 3, 4]]);
+    }
+}

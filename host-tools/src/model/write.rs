@@ -1,0 +1,142 @@
+//! Writing the result: by name, or from a build script.
+
+use std::{
+    env, fs,
+    io::{self, Write as _},
+    path::{Path, PathBuf},
+};
+
+use super::{Model, Options, emit, error::ModelError};
+
+/// Writes a file whole or not at all: into a temporary file beside it, which then takes its name.
+///
+/// # Errors
+///
+/// If the path is a directory, its directory is missing or cannot be written to, or the disk is full. A file that was
+/// there before is then still the same.
+pub fn write_atomically(path: &Path, text: &str) -> Result<(), ModelError> {
+    if path.is_dir() {
+        return Err(ModelError::Directory { path: path.into() });
+    }
+    let directory = path.parent().filter(|p| !p.as_os_str().is_empty());
+    let write = || -> io::Result<()> {
+        let mut builder = tempfile::Builder::new();
+        // As any new file, where a temporary one would be private to its owner.
+        #[cfg(unix)]
+        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut file = builder.tempfile_in(directory.unwrap_or(Path::new(".")))?;
+        file.write_all(text.as_bytes())?;
+        file.as_file().sync_all()?;
+        file.persist(path)?;
+        Ok(())
+    };
+    write().map_err(|source| ModelError::Write {
+        path: path.into(),
+        source,
+    })
+}
+
+/// Converts a model from a build script: writes `<stem>.rs` into `OUT_DIR`, to be taken in by
+/// `include!(concat!(env!("OUT_DIR"), "/<stem>.rs"))`, and returns its path.
+///
+/// Prints what Cargo has to know to the standard output: the files on which the result depends, and the warnings. A
+/// build script that returns an error is run again by Cargo in any case.
+///
+/// ```no_run
+/// use host_tools::model::{Options, convert_for_build};
+///
+/// fn main() -> Result<(), Box<dyn std::error::Error>> {
+///     convert_for_build("models/gear.obj", &Options::default())?;
+///     Ok(())
+/// }
+/// ```
+///
+/// # Errors
+///
+/// Those of [`Model::load`] and [`write_atomically`], and if `OUT_DIR` is not set.
+pub fn convert_for_build(obj: impl AsRef<Path>, options: &Options) -> Result<PathBuf, ModelError> {
+    let directory = env::var_os("OUT_DIR").ok_or(ModelError::NoOutDir)?;
+    let (path, instructions) = convert_into(Path::new(&directory), obj.as_ref(), options)?;
+    for line in instructions {
+        println!("{line}");
+    }
+    Ok(path)
+}
+
+/// The result's path and the lines for Cargo.
+fn convert_into(directory: &Path, obj: &Path, options: &Options) -> Result<(PathBuf, Vec<String>), ModelError> {
+    let model = Model::load(obj, options)?;
+    let mut path = directory.join(obj.file_stem().unwrap_or_default());
+    path.as_mut_os_string().push(".rs");
+    let text = emit::source(&model);
+    // An untouched file saves the compiler a run.
+    if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
+        write_atomically(&path, &text)?;
+    }
+    let inputs = (model.inputs.iter()).map(|input| format!("cargo::rerun-if-changed={}", input.display()));
+    let warnings = model.warnings.iter().map(|warning| format!("cargo::warning={warning}"));
+    Ok((path, inputs.chain(warnings).collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn entries(directory: &Path) -> usize {
+        fs::read_dir(directory).unwrap().count()
+    }
+
+    #[test]
+    fn files_are_replaced_whole() {
+        let directory = tempfile::tempdir().unwrap();
+        let path = directory.path().join("a.rs");
+        write_atomically(&path, "one").unwrap();
+        write_atomically(&path, "two").unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "two");
+        assert_eq!(entries(directory.path()), 1);
+        #[cfg(unix)]
+        {
+            let plain = directory.path().join("plain");
+            fs::write(&plain, "").unwrap();
+            let mode = |path| fs::metadata(path).unwrap().permissions();
+            assert_eq!(mode(&path), mode(&plain));
+        }
+    }
+
+    #[test]
+    fn failures_leave_nothing_behind() {
+        let directory = tempfile::tempdir().unwrap();
+        let error = write_atomically(directory.path(), "x").unwrap_err().to_string();
+        assert!(error.contains("is a directory"), "{error}");
+        let error = write_atomically(&directory.path().join("no/a.rs"), "x")
+            .unwrap_err()
+            .to_string();
+        assert!(error.contains("a.rs could not be written") && error.contains("check that its directory exists"));
+        // A name that the system refuses fails at the last step, when the temporary file has been written.
+        let long = directory.path().join("x".repeat(300));
+        assert!(write_atomically(&long, "x").is_err());
+        assert_eq!(entries(directory.path()), 0);
+    }
+
+    #[test]
+    fn build_scripts_get_a_file_and_its_inputs() {
+        let directory = tempfile::tempdir().unwrap();
+        let obj = directory.path().join("part 1.obj");
+        fs::write(&obj, "mtllib no.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+        let (path, lines) = convert_into(directory.path(), &obj, &Options::default()).unwrap();
+        assert_eq!(path, directory.path().join("part 1.rs"));
+        assert!(fs::read_to_string(&path).unwrap().contains("pub static PART_1:"));
+        assert_eq!(lines[0], format!("cargo::rerun-if-changed={}", obj.display()));
+        assert!(lines[1].ends_with("no.mtl"));
+        assert!(lines[2].starts_with("cargo::warning=") && lines[2].contains("no.mtl: "));
+        assert_eq!(lines.len(), 3);
+    }
+
+    #[test]
+    fn without_out_dir_nothing_is_done() {
+        if env::var_os("OUT_DIR").is_none() {
+            let error = convert_for_build("no.obj", &Options::default()).unwrap_err();
+            assert!(matches!(error, ModelError::NoOutDir));
+        }
+    }
+}

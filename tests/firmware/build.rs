@@ -1,0 +1,76 @@
+//! Turns OBJ files into const tables, as the build script of any firmware does.
+
+use std::{
+    env,
+    error::Error,
+    f64::consts::{PI, TAU},
+    fmt::Write as _,
+    fs,
+    path::{Path, PathBuf},
+};
+
+use host_tools::model::{Options, convert_for_build};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let out = PathBuf::from(env::var("OUT_DIR")?);
+    let options = Options::default();
+    for name in ["gear", "rocket", "torus_knot"] {
+        convert_for_build(
+            Path::new("../../host-tools/models").join(name).with_extension("obj"),
+            &options,
+        )?;
+    }
+
+    // The bench scenes: two bodies that are a formula, and two models that are not the project's own.
+    fs::write(out.join("cube.obj"), cube())?;
+    fs::write(out.join("sphere.obj"), sphere(24, 13)?)?;
+    convert_for_build(out.join("cube.obj"), &options)?;
+    convert_for_build(out.join("sphere.obj"), &options)?;
+    println!("cargo::rustc-check-cfg=cfg(models)");
+    println!("cargo::rerun-if-env-changed=RASTERIZER_MODELS");
+    if let Some(folder) = env::var_os("RASTERIZER_MODELS") {
+        // Smooth all over, so that it has one vertex for each of the file's, as the rivals' figures do.
+        let smooth = Options {
+            crease_degrees: 180.0,
+            ..options
+        };
+        for name in ["spot", "suzanne"] {
+            convert_for_build(Path::new(&folder).join(name).with_extension("obj"), &smooth)?;
+        }
+        println!("cargo::rustc-cfg=models");
+    }
+
+    if env::var("CARGO_CFG_TARGET_OS")? == "none" {
+        println!("cargo::rustc-link-arg-bins=-Tlink.x");
+        println!("cargo::rerun-if-changed=../../memory.x");
+    }
+    Ok(())
+}
+
+const fn cube() -> &'static str {
+    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
+     f 5 6 7 8\nf 6 2 3 7\nf 2 1 4 3\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n"
+}
+
+/// A sphere of `around` meridians and `down` rows: 2 `around` (`down` - 1) triangles.
+fn sphere(around: usize, down: usize) -> Result<String, std::fmt::Error> {
+    let mut obj = String::from("v 0 1 0\nv 0 -1 0\n");
+    for row in 1..down {
+        for column in 0..around {
+            let (latitude, longitude) = (PI * row as f64 / down as f64, TAU * column as f64 / around as f64);
+            let (ring, y) = latitude.sin_cos();
+            writeln!(obj, "v {} {y} {}", ring * longitude.sin(), ring * longitude.cos())?;
+        }
+    }
+    let at = |row: usize, column: usize| 3 + (row - 1) * around + column % around;
+    for column in 0..around {
+        writeln!(obj, "f 1 {} {}", at(1, column), at(1, column + 1))?;
+        writeln!(obj, "f 2 {} {}", at(down - 1, column + 1), at(down - 1, column))?;
+        for row in 1..down - 1 {
+            let [a, b] = [at(row, column), at(row, column + 1)];
+            let [c, d] = [at(row + 1, column), at(row + 1, column + 1)];
+            writeln!(obj, "f {a} {c} {b}\nf {b} {c} {d}")?;
+        }
+    }
+    Ok(obj)
+}

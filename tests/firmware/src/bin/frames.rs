@@ -1,0 +1,33 @@
+//! Prints the hash of each frame: on a microcontroller by semihosting, on the host as it is.
+
+#![cfg_attr(target_os = "none", no_std)]
+#![cfg_attr(target_os = "none", no_main)]
+
+use firmware::{
+    frames::{self, PIXELS, VERTICES},
+    memory::{Memory, Shared},
+};
+
+static MEMORY: Shared<PIXELS, VERTICES> = Memory::shared();
+
+fn run() {
+    critical_section::with(|token| frames::run(&mut MEMORY.borrow_ref_mut(token)));
+}
+
+#[cfg(not(target_os = "none"))]
+fn main() {
+    run();
+}
+
+#[cfg(target_os = "none")]
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    run();
+    firmware::console::exit()
+}
+
+#[cfg(target_os = "none")]
+#[panic_handler]
+fn panic(info: &core::panic::PanicInfo<'_>) -> ! {
+    firmware::console::panic(info)
+}

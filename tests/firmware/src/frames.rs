@@ -1,0 +1,127 @@
+//! Frames and their hashes.
+
+use core::fmt::Debug;
+
+use embedded_graphics_core::{
+    geometry::{Point, Size},
+    pixelcolor::{IntoStorage, Rgb565, RgbColor},
+    primitives::Rectangle,
+};
+use rasterizer::{
+    camera::{Camera, Distance, Orthographic, Perspective},
+    geometry::{Pose, Projection, ScreenVertex, Subpixel},
+    numbers::{Angle, Rotation, Vec3},
+    scene::Object,
+    shade::{Flat, Gouraud, Level, Light, Shader},
+    target::Frame,
+};
+
+use crate::{console, memory::Memory, models};
+
+/// Width and height of the frames: 160 KB of colour and depth.
+pub const SIDE: u32 = 200;
+/// Their pixels.
+pub const PIXELS: usize = (SIDE * SIDE) as usize;
+/// Vertices of the largest model.
+pub const VERTICES: usize = 1800;
+
+const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(SIDE, SIDE));
+const LENS: Perspective = match Perspective::new(Angle::degrees(40), Distance::lit("0.02"), Distance::lit("100")) {
+    Ok(lens) => lens,
+    Err(_) => panic!("the lens makes no sense"),
+};
+const PARALLEL: Orthographic = match Orthographic::new(Distance::lit("2.2"), Distance::lit("0.5"), Distance::lit("9")) {
+    Ok(lens) => lens,
+    Err(_) => panic!("the lens makes no sense"),
+};
+
+/// Draws all frames, each as a whole and again in bands, and prints a line for each.
+pub fn run(memory: &mut Memory<PIXELS, VERTICES>) {
+    let light = Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"));
+    let gouraud = Gouraud::<Rgb565>::new(light);
+    let gear = Object::new(&models::GEAR, gouraud);
+    let rocket = Object::new(&models::ROCKET, gouraud);
+    let knot = Object::new(&models::TORUS_KNOT, gouraud);
+    for frame in 0..4 {
+        let pose = Pose::rotated(Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::turns(frame, 4)));
+        // Filling the picture; with the surface through the near plane; from inside.
+        for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
+            let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
+            report(("gear", view, frame), &gear.posed(pose), &camera, memory);
+            report(("rocket", view, frame), &rocket.posed(pose), &camera, memory);
+            report(("torus_knot", view, frame), &knot.posed(pose), &camera, memory);
+        }
+        let camera = Camera::at(Vec3::lit("0", "0", "3"), Rotation::IDENTITY, PARALLEL, AREA).unwrap_or_else(fail);
+        report(("rocket", "parallel", frame), &rocket.posed(pose), &camera, memory);
+    }
+    flat(memory, light);
+}
+
+/// A convex body, straight into memory without depth, by the normals of its triangles.
+fn flat(memory: &mut Memory<PIXELS, VERTICES>, light: Light) {
+    let camera = Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
+    let mut vertices = [ScreenVertex::<rasterizer::geometry::S4, _, _>::EMPTY; models::CUBE.vertex_count()];
+    let pose = Pose::rotated(Rotation::about_x(Angle::degrees(30)) * Rotation::about_y(Angle::degrees(40)));
+    let cube = Object::new(&models::CUBE, Flat::<Rgb565>::new(light)).posed(pose);
+    let mut frame = Frame::without_depth(&mut memory.color, AREA).unwrap_or_else(fail);
+    frame.clear(Rgb565::BLACK);
+    cube.draw(&camera, &mut vertices, &mut frame).unwrap_or_else(fail);
+    console::line(format_args!("cube flat {:08x}", hash(0, frame.pixels())));
+}
+
+fn report<P: Projection, Sh: Shader<Color = Rgb565, Varyings = [u16; 1]>>(
+    name: (&str, &str, u32),
+    object: &Object<'_, Sh>,
+    camera: &Camera<P>,
+    memory: &mut Memory<PIXELS, VERTICES>,
+) {
+    let Memory {
+        color,
+        depth,
+        coarse,
+        fine,
+    } = memory;
+    let (model, view, frame) = name;
+    let coarse = draw(object, camera, color, depth, coarse);
+    let fine = draw(object, camera, color, depth, fine);
+    console::line(format_args!("{model} {view} {frame} S4 {coarse:08x} S8 {fine:08x}"));
+}
+
+/// Draws a frame as a whole and again in bands of 24 rows, and checks that they are the same.
+fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565>>(
+    object: &Object<'_, Sh>,
+    camera: &Camera<P>,
+    color: &mut [Rgb565],
+    depth: &mut [u16],
+    vertices: &mut [ScreenVertex<S, u16, Sh::Varyings>],
+) -> u32 {
+    let seen = object.project(camera, vertices).unwrap_or_else(fail);
+    let mut render = |area: Rectangle, hash_before: u32| {
+        let pixels = (area.size.width * area.size.height) as usize;
+        let mut frame = Frame::new(&mut color[..pixels], &mut depth[..pixels], area).unwrap_or_else(fail);
+        frame.clear(Rgb565::new(1, 2, 3));
+        let Ok(()) = seen.draw(&mut frame);
+        hash(hash_before, frame.pixels())
+    };
+    let whole = render(AREA, 0);
+    let mut banded = 0;
+    for top in (0..SIDE).step_by(24) {
+        let rows = (SIDE - top).min(24);
+        banded = render(Rectangle::new(Point::new(0, top as i32), Size::new(SIDE, rows)), banded);
+    }
+    assert_eq!(whole, banded, "bands differ from the whole frame");
+    whole
+}
+
+/// FNV-1a over the pixels' 16-bit values, going on from the hash of what came before.
+fn hash(before: u32, pixels: &[Rgb565]) -> u32 {
+    let start = before ^ 0x811C_9DC5;
+    let end = pixels.iter().fold(start, |hash, pixel| {
+        (hash ^ u32::from(pixel.into_storage())).wrapping_mul(0x0100_0193)
+    });
+    end ^ 0x811C_9DC5
+}
+
+fn fail<T, E: Debug>(error: E) -> T {
+    panic!("{error:?}")
+}

@@ -1,0 +1,9 @@
+//! What the firmware draws, the same on every core and on the host.
+
+#![no_std]
+
+pub mod bench;
+pub mod console;
+pub mod frames;
+pub mod memory;
+pub mod models;

@@ -1,0 +1,79 @@
+//! The core's arithmetic against the f64 reference on the same vertices: coverage equal, depth within one unit of its
+//! format, colour within one of 256 steps, for every model, precision, size and distance.
+
+use host_tools::{
+    check::{Bounds, DepthFormat, Projection, Shading, Subpixel, View, check},
+    model::{Model, Options},
+};
+use rasterizer_tests::{other_models, shipped_models};
+
+/// Far away, filling the picture, its surface cut by the near plane, and inside the model.
+const DISTANCES: [f64; 4] = [40.0, 3.0, 0.9, 0.05];
+
+fn sweep(path: &std::path::Path) {
+    let model = Model::load(path, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
+    let precisions = [
+        (Subpixel::S4, DepthFormat::U16, Shading::Gouraud),
+        (Subpixel::S8, DepthFormat::U32, Shading::Gouraud),
+        (Subpixel::S8, DepthFormat::U16, Shading::Flat),
+        (Subpixel::S4, DepthFormat::U32, Shading::Unlit),
+    ];
+    let mut covered = 0;
+    for size in [[64, 64], [320, 240], [640, 480], [1, 1], [2047, 3]] {
+        for distance in DISTANCES {
+            for (turn, (subpixel, depth, shading)) in precisions.into_iter().enumerate() {
+                let view = View {
+                    size,
+                    distance,
+                    near: 0.02,
+                    yaw_degrees: 77.0 * turn as f64 + 5.0,
+                    pitch_degrees: 31.0 * turn as f64,
+                    subpixel,
+                    depth,
+                    shading,
+                    ..View::default()
+                };
+                covered += judge(&model, &view);
+            }
+        }
+    }
+    for height in [0.1, 2.2, 50.0] {
+        let view = View {
+            projection: Projection::Orthographic { height },
+            ..View::default()
+        };
+        covered += judge(&model, &view);
+    }
+    assert!(
+        covered > 100_000,
+        "{}: only {covered} pixels were drawn",
+        path.display()
+    );
+}
+
+fn judge(model: &Model, view: &View) -> usize {
+    let outcome = check(model, view)
+        .unwrap_or_else(|error| panic!("{}: {error}", model.name))
+        .outcome;
+    assert!(
+        outcome.is_within(&Bounds::ARITHMETIC),
+        "{}: {:#?}\n{view:#?}",
+        model.name,
+        outcome.arithmetic
+    );
+    // Snapping is off by half a sub-pixel; an eighth of one more is for the transform.
+    let subpixel = 0.5f64.powi(view.subpixel.bits() as i32);
+    let error = outcome.arithmetic.vertex_error_max_px;
+    println!("{} {:?} {error} {}", model.name, view.subpixel, error / subpixel);
+    outcome.arithmetic.pixels
+}
+
+#[test]
+fn shipped_models_are_exact() {
+    shipped_models().iter().for_each(|path| sweep(path));
+}
+
+#[test]
+fn other_models_are_exact() {
+    other_models().iter().for_each(|path| sweep(path));
+}
