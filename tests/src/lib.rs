@@ -1,5 +1,19 @@
 //! What the tests share.
 
+mod counter;
+mod picture;
+mod random;
+mod recorder;
+mod scene;
+mod surface;
+
+pub use counter::Counter;
+pub use picture::{Picture, Stored};
+pub use random::Random;
+pub use recorder::{BusError, Call, Recorder};
+pub use scene::{Placed, Scene, area, pixel_camera};
+pub use surface::{Surface, is_closed};
+
 use std::{
     fs,
     path::{Path, PathBuf},

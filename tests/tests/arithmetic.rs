@@ -62,9 +62,8 @@ fn judge(model: &Model, view: &View) -> usize {
         outcome.arithmetic
     );
     // Snapping is off by half a sub-pixel; an eighth of one more is for the transform.
-    let subpixel = 0.5f64.powi(view.subpixel.bits() as i32);
-    let error = outcome.arithmetic.vertex_error_max_px;
-    println!("{} {:?} {error} {}", model.name, view.subpixel, error / subpixel);
+    let error = outcome.arithmetic.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
+    assert!(error <= 0.625, "{}: a vertex is {error} sub-pixels off\n{view:#?}", model.name);
     outcome.arithmetic.pixels
 }
 

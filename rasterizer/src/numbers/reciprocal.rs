@@ -66,15 +66,14 @@ const fn mantissa(m: u32) -> i32 {
     // m to 16 bits, rounded; the last interval would round up to 2^16, which its seed of 257 / 256 tolerates.
     let m16 = (m >> 16) + ((m >> 15) & 1);
     // r1 = r0 (2 - m r0): Q8 x Q24 >> 17 = Q15. The second factor drops 3 bits so that the product fits 32.
-    let r1 = (r0 * (((1 << 25) - r0 * m16) >> 3) + (1 << 13)) >> 14;
-    let r1 = if r1 > 0xFFFF { 0xFFFF } else { r1 };
+    let r1 = (r0 * (((1 << 25) - r0 * m16) >> 3)) >> 14;
     // m r1 in Q31, near 1: from the exact 48-bit product without its lowest 16 bits.
     let product = (m >> 16) * r1 + (((m & 0xFFFF) * r1) >> 16);
     // 1 - m r1 in Q28, at most 2^-13.9.
     let error = ((1u32 << 31).wrapping_sub(product) as i32) >> 3;
     // r2 = r1 + r1 (1 - m r1): Q30, and Q15 x Q28 >> 13 = Q30.
-    let r2 = (r1 << 15) as i64 + ((r1 as i32 * error) >> 13) as i64;
-    if r2 > i32::MAX as i64 { i32::MAX } else { r2 as i32 }
+    let r2 = (r1 << 15).wrapping_add_signed((r1 as i32 * error) >> 13);
+    if r2 > i32::MAX as u32 { i32::MAX } else { r2 as i32 }
 }
 
 #[cfg(test)]

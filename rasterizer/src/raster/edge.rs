@@ -43,23 +43,22 @@ impl Edge {
         // The row's centre below the upper end, and the edge's x there from the first column's centre, in sub-pixels.
         let below = (row << bits) + half - top[1];
         let start = top[0] - half;
-        let along = if below >> bits == 0 {
-            // Within the first row: off by less than a pixel.
-            (below * columns) >> bits
-        } else {
-            (below * columns + scaled(below, remainder, dy)) >> bits
-        };
-        // A first guess, whose edge function is exact modulo 2^32 and, near the edge, small.
-        let mut boundary = (start >> bits) + along;
+        let mut along = below * columns;
+        if below >> bits != 0 {
+            along += scaled(below, remainder, dy);
+        }
+        // A guess that is too far left by two pixels at most: one for what `along` leaves out, one for rounding down.
+        // Its edge function is exact modulo 2^32 and, so near the edge, small.
+        let mut boundary = (start + along) >> bits;
         let from_edge = ((boundary << bits) - start).wrapping_mul(dy);
         let mut function = from_edge.wrapping_sub(below.wrapping_mul(dx)) >> bits;
-        while function < 0 {
+        if function < 0 {
             boundary += 1;
             function += dy;
         }
-        while function >= dy {
-            boundary -= 1;
-            function -= dy;
+        if function < 0 {
+            boundary += 1;
+            function += dy;
         }
         Self {
             boundary,
@@ -101,13 +100,21 @@ fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     }
 }
 
-/// `below * remainder / dy` within two pixels, for factors up to dy.
-#[inline(always)]
+/// `below * remainder / dy` rounded down to less than a pixel's sub-pixels below it, for factors up to dy < 2^20.
+#[cold]
+#[inline(never)]
 fn scaled(below: i32, remainder: i32, dy: i32) -> i32 {
-    // Below 2^15 the product fits; a longer edge has bits to spare.
-    let drop = if dy < 1 << 15 { 0 } else { 4 };
-    let product = (below >> drop) as u32 * (remainder >> drop) as u32;
-    product.checked_div((dy >> (2 * drop)) as u32).unwrap_or(0) as i32
+    if dy < 1 << 15 {
+        return (below as u32 * remainder as u32).checked_div(dy as u32).unwrap_or(0) as i32;
+    }
+    // The long division of the definition, whose product would not fit, by 11 digits of `below` at a time: with
+    // below = high 2^11 + low the rest of the first step is below dy, and rest 2^11 + low remainder below 2^32.
+    let (high, low) = (below as u32 >> 11, below as u32 & 0x7FF);
+    let (remainder, dy) = (remainder as u32, dy as u32);
+    let upper = high * remainder;
+    let quotient = upper.checked_div(dy).unwrap_or(0);
+    let rest = ((upper - quotient * dy) << 11) + low * remainder;
+    ((quotient << 11) + rest.checked_div(dy).unwrap_or(0)) as i32
 }
 
 #[cfg(test)]

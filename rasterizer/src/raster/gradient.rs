@@ -13,12 +13,15 @@
 //!
 //! # Error
 //!
-//! An attribute of 16 bits is stepped with 16 more bits behind the point. A gradient is within 2^-16 units plus 2^-27 of
-//! itself; where a thin or steep triangle would need more, it is divided exactly. Over a triangle that spans n pixels in
-//! x and y together the value at a centre is within n / 2^16 + 1/2 units of the exact plane, and rounded to the nearest.
+//! An attribute of 16 bits is stepped with 16 more bits behind the point. Over a triangle that spans n pixels in x and y
+//! together its value at a centre is within 1/4 + n / 2^16 + 2^S / 2^16 units of the exact plane, before it is rounded to
+//! the nearest: the reciprocal's 27 bits are enough for that unless a triangle is thin and steep, and then the gradient is
+//! divided exactly. An attribute of 32 bits is stepped with 18 more bits, always divided exactly: n / 2^18 units.
 //!
 //! Gradients of slivers can be astronomical. Steps wrap modulo 2^32, and at a covered centre the value is back between
 //! those of the corners, so that it comes out right: it is sampled there and nowhere else.
+
+use core::marker::PhantomData;
 
 use fixed::types::U16F16;
 
@@ -120,49 +123,43 @@ pub struct TriangleSetup<S> {
     area: i64,
     /// From the first corner to the anchor's centre, in sub-pixels: at most half a pixel.
     to_anchor: [i32; 2],
-    quick: Option<Quick>,
-    precision: core::marker::PhantomData<S>,
+    quick: Quick,
+    precision: PhantomData<S>,
 }
 
-/// Gradients by the reciprocal, for triangles that are not too thin.
+/// Gradients by the reciprocal of the area.
 #[derive(Clone, Copy, Debug)]
 struct Quick {
     reciprocal: i32,
-    along_row: Shifts,
-    along_column: Shifts,
-}
-
-/// The shift of a numerator before the product with the reciprocal, and that of the product's upper half after it.
-#[derive(Clone, Copy, Debug)]
-struct Shifts {
-    up: u32,
-    /// To the right; to the left if negative.
-    down: i32,
+    /// The leading zeros of the area as a `u32`, of the triangle's height and of its width.
+    area_zeros: i32,
+    height_zeros: i32,
+    width_zeros: i32,
+    /// How far to the left the quotients may be shifted before the bits they lack add up.
+    shift_limit: i32,
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
     /// For corners in the order that makes the doubled `area` positive. `width` and `height` are the extents of the
     /// triangle in sub-pixels.
     #[inline(always)]
-    pub(super) fn new(corners: [[i32; 2]; 3], area: i64, width: i32, height: i32) -> Self {
-        let [a, b, c] = corners;
+    pub(super) fn new([a, b, c]: [[i32; 2]; 3], area: i64, width: i32, height: i32) -> Self {
         let half = 1 << (S::BITS - 1);
-        // The centre of the pixel that holds the first corner.
-        let to_anchor = a.map(|c| half - (c & (2 * half - 1)));
         Self {
             dx: [b[0] - a[0], c[0] - a[0]],
             dy: [b[1] - a[1], c[1] - a[1]],
             area,
-            to_anchor,
+            // The centre of the pixel that holds the first corner.
+            to_anchor: a.map(|c| half - (c & (2 * half - 1))),
             quick: Quick::new::<S>(area, width, height),
-            precision: core::marker::PhantomData,
+            precision: PhantomData,
         }
     }
 
     /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits.
     #[cold]
     #[inline(never)]
-    fn exact_plane(&self, [a, b, c]: [u16; 3]) -> Plane<u32> {
+    fn exact_plane(self, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let divisor = Divisor::new(self.area as u64);
         let gradient = |numerator: i64| divisor.divide(numerator << (16 + S::BITS)).0;
         let [x, y] = self.numerators([a, b, c].map(i64::from)).map(gradient);
@@ -204,71 +201,74 @@ impl<S: Subpixel> TriangleSetup<S> {
         let [to_x, to_y] = self.to_anchor.map(i64::from);
         corner + (x.wrapping_mul(to_x).wrapping_add(y.wrapping_mul(to_y)) >> S::BITS)
     }
+
+    /// The plane of an attribute of 16 bits by the reciprocal, or nothing if it needs the exact one.
+    #[inline(always)]
+    fn quick_plane(&self, [a, b, c]: [u16; 3]) -> Option<Plane<u32>> {
+        let a = i32::from(a);
+        let (d1, d2) = (i32::from(b) - a, i32::from(c) - a);
+        let [dx1, dx2] = self.dx;
+        let [dy1, dy2] = self.dy;
+        let quick = &self.quick;
+        // |d1|, |d2| < 2^n and their difference below 2^(n + 1) make numerators below 2^(n + 1) times the extent: by so
+        // many bits they can be shifted up. They never exceed 2^31, as attributes do not differ by more than 2^16 - 1.
+        let zeros = (d1.unsigned_abs() | d2.unsigned_abs()).leading_zeros() as i32;
+        let x_up = (quick.height_zeros + zeros - 34).max(0);
+        let y_up = (quick.width_zeros + zeros - 34).max(0);
+        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), by 23 at most, as an
+        // area is not larger than width times height.
+        let base = 14 - S::BITS as i32 - quick.area_zeros;
+        let (x_down, y_down) = (base + x_up, base + y_up);
+        if x_down.min(y_down) < quick.shift_limit {
+            return None;
+        }
+        // Products may wrap, their difference does not.
+        let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
+        let x = mul_high(numerator(d1, dy2, d2, dy1) << x_up, quick.reciprocal);
+        let y = mul_high(numerator(d2, dx1, d1, dx2) << y_up, quick.reciprocal);
+        let scaled = |quotient: i32, down: i32| {
+            if down >= 0 {
+                (quotient >> down) as u32
+            } else {
+                (quotient as u32) << -down
+            }
+        };
+        // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below 2^30.
+        let [to_x, to_y] = self.to_anchor;
+        Some(Plane {
+            anchor: ((a as u32) << 16)
+                .wrapping_add(1 << 15)
+                .wrapping_add(scaled((x >> S::BITS) * to_x, x_down))
+                .wrapping_add(scaled((y >> S::BITS) * to_y, y_down)),
+            per_column: scaled(x, x_down),
+            per_row: scaled(y, y_down),
+        })
+    }
 }
 
 impl Quick {
-    /// Nothing for triangles that need exact division: those of over 2^15 sub-pixels, whose numerators need more than 32
-    /// bits, and those so thin that the bits lost to a shift would add up to over a quarter of a unit.
     #[inline(always)]
-    fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Option<Self> {
-        if S::BITS > 4 && (width | height) >> 15 != 0 {
-            return None;
-        }
+    fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Self {
         let Reciprocal {
             mantissa,
             leading_zeros,
         } = Reciprocal::of(area as u32);
-        // A numerator is below 2^16 times the extent. Q16 a pixel: num 2^(16 + S) / area
-        // = (num << up) r / 2^32 >> (14 + up - S - leading_zeros).
-        let shifts = |extent: i32| {
-            let up = (extent as u32).leading_zeros() - 17;
-            Shifts {
-                up,
-                down: (14 + up) as i32 - S::BITS as i32 - leading_zeros as i32,
-            }
-        };
-        let (along_row, along_column) = (shifts(height), shifts(width));
-        let lost = along_row.down.min(along_column.down);
-        if lost < 0 && (lost < -13 || ((width + height) >> S::BITS) << -lost > 1 << 14) {
-            return None;
-        }
-        Some(Self {
-            reciprocal: mantissa,
-            along_row,
-            along_column,
-        })
-    }
-
-    /// A gradient in Q16, or nothing from 2^13 units a pixel on: 2^-27 of it, over 4,096 pixels, is a quarter of a unit.
-    #[inline(always)]
-    fn gradient(&self, numerator: i32, shifts: Shifts) -> Option<i32> {
-        let quotient = mul_high(numerator << shifts.up, self.reciprocal);
-        let magnitude = quotient.unsigned_abs();
-        if shifts.down >= 0 {
-            (magnitude >> shifts.down < 1 << 29).then_some(quotient >> shifts.down)
+        // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted up by k, add up to less
+        // than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k n <= 2^10.
+        let pixels = ((width + height) >> S::BITS) as u32;
+        let shift_limit = if S::BITS > 4 && (width | height) >> 15 != 0 {
+            // Numerators need more than 32 bits.
+            i32::MAX
         } else {
-            (magnitude < 1 << (29 + shifts.down)).then_some(quotient << -shifts.down)
+            22 - pixels.leading_zeros() as i32
+        };
+        Self {
+            reciprocal: mantissa,
+            area_zeros: leading_zeros as i32,
+            height_zeros: height.leading_zeros() as i32,
+            width_zeros: width.leading_zeros() as i32,
+            shift_limit,
         }
-    }
-
-    #[inline(always)]
-    fn plane<S: Subpixel>(&self, setup: &TriangleSetup<S>, [a, b, c]: [u16; 3]) -> Option<Plane<u32>> {
-        let a = i32::from(a);
-        let (d1, d2) = (i32::from(b) - a, i32::from(c) - a);
-        let [dx1, dx2] = setup.dx;
-        let [dy1, dy2] = setup.dy;
-        // Products may wrap, their difference does not.
-        let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let x = self.gradient(numerator(d1, dy2, d2, dy1), self.along_row)?;
-        let y = self.gradient(numerator(d2, dx1, d1, dx2), self.along_column)?;
-        // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units.
-        let [to_x, to_y] = setup.to_anchor;
-        let to_center = (x >> S::BITS) * to_x + (y >> S::BITS) * to_y;
-        Some(Plane {
-            anchor: ((a as u32) << 16).wrapping_add(1 << 15).wrapping_add(to_center as u32),
-            per_column: x as u32,
-            per_row: y as u32,
-        })
     }
 }
 
@@ -279,7 +279,7 @@ impl Interpolate for u16 {
 
     #[inline(always)]
     fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<u32> {
-        match setup.quick.as_ref().and_then(|quick| quick.plane(setup, corners)) {
+        match setup.quick_plane(corners) {
             Some(plane) => plane,
             None => setup.exact_plane(corners),
         }

@@ -7,7 +7,7 @@ use heapless::Vec;
 
 use crate::{
     geometry::{CullBack, Culling, DepthFormat, MAX_CORNERS, Projection, ScreenVertex, Subpixel, Transform, clip},
-    mesh::Tables,
+    mesh::{Tables, Triangles},
     raster::{Interpolate, Span, SpanSink, Window, draw_triangle, signed_area},
     shade::{MeshFace, MeshVertex, Shader},
     target::Target,
@@ -111,9 +111,22 @@ where
     }
 
     /// The same for a range of the mesh's triangles, with their signed areas.
-    #[inline(always)]
     fn for_each_visible<E>(
         &self,
+        range: Range<usize>,
+        visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3], i64) -> Result<(), E>,
+    ) -> Result<(), E> {
+        match self.tables.triangles {
+            Triangles::U8(triangles) => self.for_each_indexed(triangles, range, visit),
+            Triangles::U16(triangles) => self.for_each_indexed(triangles, range, visit),
+        }
+    }
+
+    /// The same for indices of one type. A function of its own: the loop over all triangles needs its registers.
+    #[inline(never)]
+    fn for_each_indexed<I: Copy + Into<usize>, E>(
+        &self,
+        triangles: &[[I; 3]],
         range: Range<usize>,
         mut visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3], i64) -> Result<(), E>,
     ) -> Result<(), E> {
@@ -126,21 +139,20 @@ where
                 Ok(())
             }
         };
-        for index in range {
-            let Some([i, j, k]) = self.tables.triangles.get(index) else {
-                break;
-            };
+        let first = range.start;
+        for (offset, indices) in triangles.get(range).unwrap_or_default().iter().enumerate() {
+            let [i, j, k] = indices.map(Into::into);
             // There are none if the mesh is out of the picture.
             let (Some(a), Some(b), Some(c)) = (self.vertices.get(i), self.vertices.get(j), self.vertices.get(k)) else {
                 break;
             };
             if a.is_on_screen() && b.is_on_screen() && c.is_on_screen() {
-                unless_culled(index, [a, b, c])?;
+                unless_culled(first + offset, [a, b, c])?;
             } else {
                 let corners = self.clipped([i, j, k]);
                 if let Some((hub, rim)) = corners.split_first() {
                     for pair in rim.windows(2) {
-                        unless_culled(index, [hub, &pair[0], &pair[1]])?;
+                        unless_culled(first + offset, [hub, &pair[0], &pair[1]])?;
                     }
                 }
             }

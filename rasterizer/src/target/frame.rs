@@ -136,7 +136,7 @@ impl<C: PixelColor, B: DepthBuffer> Target for Frame<'_, C, B> {
         self.window
     }
 
-    #[inline(always)]
+    #[inline(never)]
     fn shade<V: Interpolate>(
         &mut self,
         span: &Span<Self::Depth, V>,

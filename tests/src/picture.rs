@@ -1,0 +1,72 @@
+//! Colour and depth of a picture, drawn by any shader into a frame of any part of the display.
+
+use embedded_graphics::{pixelcolor::PixelColor, primitives::{PointsIter, Rectangle}};
+use rasterizer::{
+    camera::Camera,
+    geometry::{DepthFormat, Projection, S8, ScreenVertex},
+    mesh::Mesh,
+    raster::Interpolate,
+    scene::Object,
+    shade::Shader,
+    target::{DepthBuffer, Frame},
+};
+
+/// The pixels of a part of the display and their stored depth, row by row.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture<C, D> {
+    /// Which part.
+    pub area: Rectangle,
+    /// The pixels.
+    pub color: Vec<C>,
+    /// Their depth.
+    pub depth: Vec<D>,
+}
+
+/// A depth that is stored.
+pub trait Stored: DepthFormat + Interpolate + PartialOrd + 'static {}
+impl<D: DepthFormat + Interpolate + PartialOrd + 'static> Stored for D {}
+
+impl<C: PixelColor, D: Stored> Picture<C, D>
+where
+    for<'a> &'a mut [D]: DepthBuffer<Format = D>,
+{
+    /// Nothing but background.
+    #[must_use]
+    pub fn empty(area: Rectangle, background: C) -> Self {
+        let pixels = area.size.width as usize * area.size.height as usize;
+        Self {
+            area,
+            color: vec![background; pixels],
+            depth: vec![D::ZERO; pixels],
+        }
+    }
+
+    /// Draws an object over it.
+    ///
+    /// # Panics
+    ///
+    /// If the object cannot be drawn.
+    pub fn draw<P: Projection, Sh: Shader<Color = C>>(&mut self, mesh: &Mesh<'_>, shader: Sh, camera: &Camera<P>) {
+        let mut storage = vec![ScreenVertex::<S8, D, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+        let frame = Frame::new(&mut self.color, &mut self.depth, self.area);
+        let mut frame = frame.expect("the buffers fit the area");
+        let drawn = Object::new(mesh, shader).draw(camera, &mut storage, &mut frame);
+        assert_eq!(drawn, Ok(()));
+    }
+
+    /// A part of it; pixels that it does not have are background.
+    #[must_use]
+    pub fn crop(&self, area: Rectangle, background: C) -> Self {
+        let mut cropped = Self::empty(area, background);
+        let common = area.intersection(&self.area);
+        let index = |of: &Rectangle, x: i32, y: i32| {
+            (y - of.top_left.y) as usize * of.size.width as usize + (x - of.top_left.x) as usize
+        };
+        for point in common.points() {
+            let (from, to) = (index(&self.area, point.x, point.y), index(&area, point.x, point.y));
+            cropped.color[to] = self.color[from];
+            cropped.depth[to] = self.depth[from];
+        }
+        cropped
+    }
+}

@@ -1,0 +1,90 @@
+//! A display that writes down what it is asked for, and breaks when it is told to.
+
+use embedded_graphics::{
+    Pixel, draw_target::DrawTarget, geometry::Dimensions, pixelcolor::PixelColor, primitives::Rectangle,
+};
+
+/// What a display was asked for.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Call<C: PixelColor> {
+    /// Pixels one by one.
+    Iter(Vec<Pixel<C>>),
+    /// A rectangle, pixel by pixel.
+    Contiguous(Rectangle, Vec<C>),
+    /// A rectangle in one colour.
+    Solid(Rectangle, C),
+    /// Everything in one colour.
+    Clear(C),
+}
+
+/// The bus to the display is down.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BusError;
+
+/// Keeps all calls, also the one that failed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Recorder<C: PixelColor> {
+    area: Rectangle,
+    calls: Vec<Call<C>>,
+    works_for: usize,
+}
+
+impl<C: PixelColor> Recorder<C> {
+    /// A display that works.
+    #[must_use]
+    pub const fn new(area: Rectangle) -> Self {
+        Self::failing_after(area, usize::MAX)
+    }
+
+    /// A display of which the first `calls` calls succeed.
+    #[must_use]
+    pub const fn failing_after(area: Rectangle, calls: usize) -> Self {
+        Self {
+            area,
+            calls: Vec::new(),
+            works_for: calls,
+        }
+    }
+
+    /// What it was asked for.
+    #[must_use]
+    pub fn calls(&self) -> &[Call<C>] {
+        &self.calls
+    }
+
+    fn record(&mut self, call: Call<C>) -> Result<(), BusError> {
+        self.calls.push(call);
+        if self.calls.len() > self.works_for {
+            Err(BusError)
+        } else {
+            Ok(())
+        }
+    }
+}
+
+impl<C: PixelColor> Dimensions for Recorder<C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Recorder<C> {
+    type Color = C;
+    type Error = BusError;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), BusError> {
+        self.record(Call::Iter(pixels.into_iter().collect()))
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), BusError> {
+        self.record(Call::Contiguous(*area, colors.into_iter().collect()))
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), BusError> {
+        self.record(Call::Solid(*area, color))
+    }
+
+    fn clear(&mut self, color: C) -> Result<(), BusError> {
+        self.record(Call::Clear(color))
+    }
+}

@@ -1,0 +1,233 @@
+//! Meshes by construction: sheets, fans, random triangulations, and the closed bodies that tests walk into.
+
+use rasterizer::{
+    mesh::{Material, Mesh, Tables, Triangles},
+    numbers::{Scale, Vec3},
+};
+
+use crate::Random;
+
+/// A mesh in memory, in one colour.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Surface {
+    positions: Vec<[i16; 3]>,
+    triangles: Vec<[u16; 3]>,
+    vertex_normals: Vec<[i8; 3]>,
+    materials: [Material; 1],
+    /// The length of a quantum.
+    pub scale: Scale,
+    /// Where position (0, 0, 0) lies.
+    pub offset: Vec3,
+}
+
+impl Surface {
+    /// From its tables, with one unit for a quantum.
+    #[must_use]
+    pub fn new(positions: Vec<[i16; 3]>, triangles: Vec<[u16; 3]>) -> Self {
+        let materials = [Material {
+            color: [200, 100, 50],
+            triangle_count: triangles.len() as u32,
+        }];
+        Self {
+            positions,
+            triangles,
+            vertex_normals: vec![],
+            materials,
+            scale: Scale::ONE,
+            offset: Vec3::ZERO,
+        }
+    }
+
+    /// The same with 2^`exponent` units for a quantum.
+    #[must_use]
+    pub fn scaled(self, exponent: i32) -> Self {
+        let scale = Scale::new(1, exponent);
+        Self { scale, ..self }
+    }
+
+    /// The same in another colour.
+    #[must_use]
+    pub fn colored(mut self, color: [u8; 3]) -> Self {
+        self.materials[0].color = color;
+        self
+    }
+
+    /// The same with normals that point away from the origin.
+    #[must_use]
+    pub fn with_vertex_normals(mut self) -> Self {
+        let outwards = |p: &[i16; 3]| {
+            let length = p.map(|c| f64::from(c).powi(2)).iter().sum::<f64>().sqrt().max(1.0);
+            p.map(|c| (f64::from(c) / length * 127.0).round() as i8)
+        };
+        self.vertex_normals = self.positions.iter().map(outwards).collect();
+        self
+    }
+
+    /// The same surface seen from behind: the corners of all triangles in reverse.
+    #[must_use]
+    pub fn reversed(mut self) -> Self {
+        self.triangles.iter_mut().for_each(|triangle| triangle.reverse());
+        self
+    }
+
+    /// The same surface, each triangle starting from any of its corners.
+    #[must_use]
+    pub fn rotated(mut self, random: &mut Random) -> Self {
+        let triangles = self.triangles.iter_mut();
+        triangles.for_each(|triangle| triangle.rotate_left((random.bits() % 3) as usize));
+        self
+    }
+
+    /// As it is drawn.
+    ///
+    /// # Panics
+    ///
+    /// If the tables are faulty.
+    #[must_use]
+    pub fn mesh(&self) -> Mesh<'_> {
+        Mesh::new_const(Tables {
+            positions: &self.positions,
+            scale: self.scale,
+            offset: self.offset,
+            vertex_normals: &self.vertex_normals,
+            face_normals: &[],
+            texture_coordinates: &[],
+            texture_fraction_bits: 0,
+            triangles: Triangles::U16(&self.triangles),
+            materials: &self.materials,
+        })
+    }
+
+    /// The rectangle from (`x[0]`, `y[0]`) to (`x[1]`, `y[1]`) in the plane z = 0, in so many columns and rows of cells,
+    /// each cut in two along either diagonal. The corners of the cells lie off their places by up to a fifth of a cell,
+    /// so that all cells stay convex; those on the border stay on it.
+    #[must_use]
+    pub fn sheet(x: [i16; 2], y: [i16; 2], cells: [usize; 2], random: &mut Random) -> Self {
+        let mut place = |range: [i16; 2], cells: usize, index: usize| {
+            let [from, to] = range.map(i32::from);
+            let length = to - from;
+            let exact = from + (i64::from(length) * index as i64 / cells as i64) as i32;
+            let jitter = length / (5 * cells as i32);
+            if index == 0 || index == cells {
+                exact as i16
+            } else {
+                (exact + random.within(-jitter, jitter)) as i16
+            }
+        };
+        let [columns, rows] = cells;
+        let mut positions = vec![];
+        for row in 0..=rows {
+            for column in 0..=columns {
+                positions.push([place(x, columns, column), place(y, rows, row), 0]);
+            }
+        }
+        let mut triangles = vec![];
+        for row in 0..rows {
+            for column in 0..columns {
+                let a = (row * (columns + 1) + column) as u16;
+                let (b, c, d) = (a + 1, a + columns as u16 + 2, a + columns as u16 + 1);
+                triangles.extend(if random.coin() {
+                    [[a, b, c], [a, c, d]]
+                } else {
+                    [[a, b, d], [b, c, d]]
+                });
+            }
+        }
+        Self::new(positions, triangles).rotated(random)
+    }
+
+    /// Triangles round a hub, the rim given counter-clockwise.
+    #[must_use]
+    pub fn fan(hub: [i16; 3], rim: &[[i16; 3]]) -> Self {
+        let positions = std::iter::once(hub).chain(rim.iter().copied()).collect();
+        let count = rim.len() as u16;
+        let triangles = (0..count).map(|i| [0, i + 1, (i + 1) % count + 1]).collect();
+        Self::new(positions, triangles)
+    }
+
+    /// A square of this half width in the plane z = 0, in which random points cut one triangle after another in three.
+    #[must_use]
+    pub fn shattered(half: i16, points: usize, random: &mut Random) -> Self {
+        let mut positions = vec![[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]];
+        let mut triangles = vec![[0, 1, 2], [0, 2, 3]];
+        while positions.len() < points + 4 {
+            let limit = i32::from(half);
+            let p = [
+                random.within(-limit, limit) as i16,
+                random.within(-limit, limit) as i16,
+                0,
+            ];
+            let left_of = |a: u16, b: u16| {
+                let [a, b, p] = [positions[usize::from(a)], positions[usize::from(b)], p].map(|p| p.map(i64::from));
+                (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0
+            };
+            let holds = |&[a, b, c]: &[u16; 3]| left_of(a, b) && left_of(b, c) && left_of(c, a);
+            // A point on an edge, or on another point, is left out.
+            if let Some(index) = triangles.iter().position(holds) {
+                let ([a, b, c], n) = (triangles.swap_remove(index), positions.len() as u16);
+                positions.push(p);
+                triangles.extend([[a, b, n], [b, c, n], [c, a, n]]);
+            }
+        }
+        Self::new(positions, triangles).rotated(random)
+    }
+
+    /// A cube round the origin, each side in `cells` times `cells` squares.
+    #[must_use]
+    pub fn cube(half: i16, cells: usize) -> Self {
+        let (mut positions, mut triangles) = (vec![], vec![]);
+        let along = |index: usize| (i32::from(half) * (2 * index as i32 - cells as i32) / cells as i32) as i16;
+        for axis in 0..3 {
+            for side in [half, -half] {
+                let first = positions.len() as u16;
+                for row in 0..=cells {
+                    for column in 0..=cells {
+                        let mut p = [0; 3];
+                        p[axis] = side;
+                        p[(axis + 1) % 3] = along(column);
+                        p[(axis + 2) % 3] = along(row);
+                        positions.push(p);
+                    }
+                }
+                for row in 0..cells {
+                    for column in 0..cells {
+                        let a = first + (row * (cells + 1) + column) as u16;
+                        let (b, c, d) = (a + 1, a + cells as u16 + 2, a + cells as u16 + 1);
+                        triangles.extend(if side > 0 {
+                            [[a, b, c], [a, c, d]]
+                        } else {
+                            [[a, c, b], [a, d, c]]
+                        });
+                    }
+                }
+            }
+        }
+        Self::new(positions, triangles)
+    }
+
+    /// The cube blown up to a ball.
+    #[must_use]
+    pub fn ball(radius: i16, cells: usize) -> Self {
+        let mut ball = Self::cube(radius, cells);
+        for p in &mut ball.positions {
+            let length = p.map(|c| f64::from(c).powi(2)).iter().sum::<f64>().sqrt();
+            *p = p.map(|c| (f64::from(c) / length * f64::from(radius)).round() as i16);
+        }
+        ball
+    }
+}
+
+/// Whether every edge of a mesh, taken by the places of its ends, is run along as often in one direction as in the other.
+#[must_use]
+pub fn is_closed(mesh: &Mesh<'_>) -> bool {
+    let tables = mesh.tables();
+    let mut balance = std::collections::HashMap::new();
+    for [a, b, c] in (0..).map_while(|index| tables.triangles.get(index)) {
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            let (from, to) = (tables.positions[from], tables.positions[to]);
+            *balance.entry((from, to)).or_insert(0i32) += 1;
+            *balance.entry((to, from)).or_insert(0) -= 1;
+        }
+    }
+    balance.values().all(|&count| count == 0)
+}
