@@ -120,3 +120,101 @@ fn crossing<V: Varyings>(
         varyings: inside.varyings.lerp(outside.varyings, t),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::{
+        geometry::{Point, Size},
+        primitives::Rectangle,
+    };
+
+    use super::*;
+    use crate::{
+        camera::{Camera, Distance, Perspective},
+        geometry::Pose,
+        mesh::{Tables, Triangles},
+        numbers::{Rotation, Scale, Vec3},
+    };
+
+    fn transform() -> Transform<Perspective> {
+        let lens = Perspective::with_focal_length(Distance::lit("100"), Distance::ONE, Distance::lit("20")).unwrap();
+        let viewport = Rectangle::new(Point::zero(), Size::new(64, 64));
+        let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, viewport).unwrap();
+        let tables = Tables {
+            positions: &[],
+            scale: Scale::new(1, -10),
+            offset: Vec3::ZERO,
+            vertex_normals: &[],
+            face_normals: &[],
+            texture_coordinates: &[],
+            texture_fraction_bits: 16,
+            triangles: Triangles::U8(&[]),
+            materials: &[],
+        };
+        Transform::new(&camera, &Pose::IDENTITY, &tables).unwrap()
+    }
+
+    fn vertex(transform: &Transform<Perspective>, position: [i16; 3]) -> ClipVertex<[u16; 1]> {
+        transform.object_to_clip(position, [position[0] as u16 ^ 0x8000])
+    }
+
+    fn is_inside(vertex: &ClipVertex<[u16; 1]>, transform: &Transform<Perspective>) -> bool {
+        PLANES.iter().all(|plane| plane.distance(vertex, transform) >= 0)
+    }
+
+    fn random(state: &mut u64) -> i16 {
+        *state ^= *state << 13;
+        *state ^= *state >> 7;
+        *state ^= *state << 17;
+        (*state >> 48) as i16
+    }
+
+    #[test]
+    fn a_triangle_inside_is_left_alone_and_one_outside_vanishes() {
+        let transform = transform();
+        let inside = [[-100, 0, -3000], [100, 0, -3000], [0, 90, -4000]].map(|p| vertex(&transform, p));
+        assert_eq!(clip(inside, &transform).as_slice(), inside);
+        let behind = [[-100, 0, 3000], [100, 0, 3000], [0, 90, 4000]].map(|p| vertex(&transform, p));
+        assert!(clip(behind, &transform).is_empty());
+    }
+
+    #[test]
+    fn corners_are_inside_all_planes_and_within_the_varyings_range() {
+        let transform = transform();
+        let mut state = 99;
+        let mut largest = 0;
+        for _ in 0..20_000 {
+            let triangle = [0; 3].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
+            let polygon = clip(triangle, &transform);
+            largest = largest.max(polygon.len());
+            let levels = triangle.map(|v| v.varyings[0]);
+            for corner in &polygon {
+                assert!(is_inside(corner, &transform), "{triangle:?}: {corner:?}");
+                let range = *levels.iter().min().unwrap()..=*levels.iter().max().unwrap();
+                assert!(range.contains(&corner.varyings[0]), "{triangle:?}: {corner:?}");
+            }
+        }
+        assert!(largest >= 6, "no triangle met several planes");
+    }
+
+    /// The corners on an edge are the same whichever triangle it belongs to and whichever way it runs.
+    #[test]
+    fn a_shared_edge_is_cut_alike() {
+        let transform = transform();
+        let mut state = 7;
+        let mut cut = 0;
+        for _ in 0..20_000 {
+            let [a, b, c, d] = [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
+            let left = clip([a, b, c], &transform);
+            let right = clip([b, a, d], &transform);
+            // The edge alone, as the degenerate triangle that runs there and back.
+            let edge = clip([a, b, b], &transform);
+            for corner in &edge {
+                cut += usize::from(*corner != a && *corner != b);
+                assert!(left.contains(corner), "{a:?} {b:?} {c:?}: {corner:?}");
+                assert!(right.contains(corner), "{b:?} {a:?} {d:?}: {corner:?}");
+            }
+        }
+        assert!(cut > 1000, "only {cut} edges were cut");
+    }
+}

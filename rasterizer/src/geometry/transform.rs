@@ -213,3 +213,185 @@ fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Fl
         Float::new(sum, down - 62)
     }))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::vec::Vec;
+
+    use embedded_graphics_core::geometry::{Point, Size};
+    use fixed::types::U16F16;
+
+    use super::*;
+    use crate::{
+        camera::{Orthographic, Perspective},
+        geometry::{S4, S8},
+        mesh::{Bounds, Triangles},
+        numbers::{Angle, Rotation, Scale, Vec3},
+    };
+
+    const VIEWPORT: embedded_graphics_core::primitives::Rectangle =
+        embedded_graphics_core::primitives::Rectangle::new(Point::new(7, -5), Size::new(321, 240));
+    const NEAR: U16F16 = U16F16::lit("0.25");
+    const FAR: U16F16 = U16F16::lit("50");
+
+    fn tables(positions: &[[i16; 3]]) -> Tables<'_> {
+        Tables {
+            positions,
+            // A half-extent of 1.5.
+            scale: Scale::new(3, -16),
+            offset: Vec3::lit("0.5", "-0.25", "0.125"),
+            vertex_normals: &[],
+            face_normals: &[],
+            texture_coordinates: &[],
+            texture_fraction_bits: 16,
+            triangles: Triangles::U8(&[]),
+            materials: &[],
+        }
+    }
+
+    fn random(state: &mut u64) -> i16 {
+        *state ^= *state << 13;
+        *state ^= *state >> 7;
+        *state ^= *state << 17;
+        (*state >> 48) as i16
+    }
+
+    /// The pose and the camera of a case, and view-space coordinates of a position by their definition.
+    struct Case {
+        pose: Pose,
+        eye: Vec3,
+        rotation: Rotation,
+    }
+
+    impl Case {
+        fn random(state: &mut u64) -> Self {
+            let mut angle = || Angle::from_bits((random(state) as u32) << 16 | 0x1234);
+            let rotation = Rotation::about_x(angle()) * Rotation::about_y(angle());
+            let turn = Rotation::about_z(angle()) * Rotation::about_y(angle());
+            let mut vector = |shift: u32| Vec3::from_bits([0; 3].map(|_| i32::from(random(state)) << shift));
+            Self {
+                pose: Pose::rotated(turn).at(vector(3)).scaled(U16F16::lit("1.75")),
+                eye: vector(3),
+                rotation,
+            }
+        }
+
+        /// Right, up and forward.
+        fn view(&self, position: [i16; 3]) -> [f64; 3] {
+            let numbers = |v: Vec3| v.to_bits().map(|c| f64::from(c) / 65536.0);
+            let rows = |r: &Rotation| r.rows().map(|row| row.map(|c| c.to_num::<f64>()));
+            let apply = |m: [[f64; 3]; 3], v: [f64; 3]| m.map(|row| (0..3).map(|k| row[k] * v[k]).sum::<f64>());
+            let offset = numbers(Vec3::lit("0.5", "-0.25", "0.125"));
+            let model: [f64; 3] = core::array::from_fn(|i| (offset[i] + f64::from(position[i]) * 3.0 / 65536.0) * 1.75);
+            let turned = apply(rows(&self.pose.rotation), model);
+            let (at, eye) = (numbers(self.pose.translation), numbers(self.eye));
+            let world: [f64; 3] = core::array::from_fn(|i| turned[i] + at[i] - eye[i]);
+            let [right, up, back] = apply(rows(&self.rotation.inverse()), world);
+            [right, up, -back]
+        }
+    }
+
+    fn check<P: Projection, S: Subpixel>(projection: P, project: impl Fn([f64; 3]) -> [f64; 3]) {
+        let mut state = 0x1234_5678_9ABC_DEF1;
+        let mut seen = 0;
+        for _ in 0..300 {
+            let case = Case::random(&mut state);
+            let positions: Vec<[i16; 3]> = (0..20).map(|_| [0; 3].map(|_| random(&mut state))).collect();
+            let camera = Camera::at(case.eye, case.rotation, projection, VIEWPORT).unwrap();
+            let transform = Transform::new(&camera, &case.pose, &tables(&positions)).unwrap();
+            let mut is_seen = false;
+            for &position in &positions {
+                let [right, up, forward] = case.view(position);
+                let vertex = transform.clip_to_screen::<S, u16, [u16; 0]>(transform.object_to_clip(position, []));
+                let [x, y, depth] = project([right, up, forward]);
+                let Some([got_x, got_y]) = vertex.position() else {
+                    // Outside by the definition, or on the boundary within rounding.
+                    let margin = 1e-4;
+                    let is_inside = forward > 0.25 + margin
+                        && forward < 50.0 - margin
+                        && (x - 167.5).abs() < 1024.0 - 1.0
+                        && (y - 115.0).abs() < 1024.0 - 1.0;
+                    assert!(!is_inside, "a vertex at ({x}, {y}), {forward} away, is missing");
+                    continue;
+                };
+                let unit = f64::from(1 << S::BITS);
+                // Half a sub-pixel of snapping; an eighth for the transform's 30 bits and the reciprocal's 27.
+                assert!((f64::from(got_x) - x * unit).abs() < 0.625, "x {got_x} {}", x * unit);
+                assert!((f64::from(got_y) - y * unit).abs() < 0.625, "y {got_y} {}", y * unit);
+                let depth = depth * 65536.0;
+                assert!(
+                    (f64::from(vertex.depth()) - depth).abs() < 1.1,
+                    "depth {} {depth}",
+                    vertex.depth()
+                );
+                is_seen |= (7.0..328.0).contains(&x) && (-5.0..235.0).contains(&y);
+            }
+            if is_seen {
+                seen += 1;
+                assert!(
+                    !transform.hides(&Bounds::of(&positions).cuboid),
+                    "a box is hidden that shows"
+                );
+            }
+        }
+        assert!(seen > 20, "only {seen} cases show anything");
+    }
+
+    #[test]
+    fn perspective_places_vertices_where_the_definition_does() {
+        let lens = Perspective::with_focal_length(U16F16::lit("300"), NEAR, FAR).unwrap();
+        let project = |[right, up, forward]: [f64; 3]| {
+            [
+                167.5 + 300.0 * right / forward,
+                115.0 - 300.0 * up / forward,
+                0.25 / forward,
+            ]
+        };
+        check::<_, S4>(lens, project);
+        check::<_, S8>(lens, project);
+    }
+
+    #[test]
+    fn parallel_projection_places_vertices_where_the_definition_does() {
+        let lens = Orthographic::new(U16F16::lit("12"), NEAR, FAR).unwrap();
+        let project =
+            |[right, up, forward]: [f64; 3]| [167.5 + 20.0 * right, 115.0 - 20.0 * up, (50.0 - forward) / 49.75];
+        check::<_, S4>(lens, project);
+        check::<_, S8>(lens, project);
+    }
+
+    #[test]
+    fn a_box_beyond_any_one_plane_is_hidden() {
+        let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+        let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
+        let hides = |x: &str, y: &str, z: &str| {
+            let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
+            let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
+            let transform = Transform::new(&camera, &pose, &tables(&positions)).unwrap();
+            transform.hides(&Bounds::of(&positions).cuboid)
+        };
+        assert!(!hides("0", "0", "-5"));
+        for (x, y, z) in [
+            ("0", "0", "5"),
+            ("0", "0", "-60"),
+            ("-9", "0", "-5"),
+            ("9", "0", "-5"),
+            ("0", "9", "-5"),
+            ("0", "-9", "-5"),
+        ] {
+            assert!(hides(x, y, z), "({x}, {y}, {z})");
+        }
+    }
+
+    #[test]
+    fn out_of_range_is_an_error() {
+        let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+        let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
+        let mut far_off = tables(&[]);
+        far_off.offset = Vec3::from_bits([i32::MAX; 3]);
+        // 2^31 units of offset and 2^15 more: beyond Q32 in 64 bits.
+        let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
+        assert_eq!(Transform::new(&camera, &pose, &far_off).err(), Some(PoseError));
+        assert!(Transform::new(&camera, &Pose::IDENTITY, &far_off).is_ok());
+    }
+}
