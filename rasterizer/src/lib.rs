@@ -1,4 +1,152 @@
-//! Fixed-point rasterizer.
+//! A fixed-point 3D rasterizer for microcontrollers, drawing through [`embedded-graphics`].
+//!
+//! It needs no heap, no FPU and no operating system. A model is a [`Mesh`] of constant tables in flash, made from an OBJ
+//! file by the `host-tools` of this project. The caller owns all memory: a colour and a depth buffer for the picture or
+//! for a band of its rows (4 bytes a pixel with RGB565 and 16-bit depth), and 8 to 16 bytes for each vertex of the
+//! largest mesh.
+//!
+//! # Example
+//!
+//! A square of two triangles, seen by a camera three units in front of it, turned by a few degrees:
+//!
+//! ```
+//! use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+//! use rasterizer::{
+//!     camera::{Camera, Distance, Perspective},
+//!     geometry::{Pose, S4, ScreenVertex},
+//!     mesh::{Material, Mesh, Tables, Triangles},
+//!     numbers::{Angle, Rotation, Scale, Vec3},
+//!     scene::Object,
+//!     shade::Unlit,
+//!     target::Frame,
+//! };
+//!
+//! static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
+//!     positions: &[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+//!     scale: Scale::ONE,
+//!     offset: Vec3::ZERO,
+//!     vertex_normals: &[],
+//!     face_normals: &[],
+//!     texture_coordinates: &[],
+//!     texture_fraction_bits: 16,
+//!     triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
+//!     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
+//! });
+//!
+//! let display = Rectangle::new(Point::zero(), Size::new(16, 8));
+//! let lens = Perspective::new(Angle::degrees(40), Distance::lit("0.1"), Distance::lit("10"))?;
+//! let camera = Camera::look_at(Vec3::lit("0", "0", "3"), Vec3::ZERO, Vec3::Y, lens, display)?;
+//!
+//! let mut color = [Rgb565::BLACK; 16 * 8];
+//! let mut depth = [0u16; 16 * 8];
+//! let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; SQUARE.vertex_count()];
+//!
+//! let mut frame = Frame::new(&mut color, &mut depth, display)?;
+//! Object::new(&SQUARE, Unlit::new())
+//!     .posed(Pose::rotated(Rotation::about_z(Angle::degrees(20))))
+//!     .draw(&camera, &mut vertices, &mut frame)?;
+//!
+//! let picture: Vec<String> = frame
+//!     .pixels()
+//!     .chunks(16)
+//!     .map(|row| row.iter().map(|&p| if p == Rgb565::BLACK { '.' } else { '#' }).collect())
+//!     .collect();
+//! assert_eq!(picture, [
+//!     ".......####.....",
+//!     "....#######.....",
+//!     "....#######.....",
+//!     "....########....",
+//!     "....########....",
+//!     ".....#######....",
+//!     ".....#######....",
+//!     ".....####.......",
+//! ]);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! On a device the last step is `frame.present(&mut display)`, for any
+//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget).
+//!
+//! # The way through the crate
+//!
+//! Data goes one way; a module uses the ones above it.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots |
+//! | [`mesh`] | const tables in flash |
+//! | [`camera`] | place, direction, projection, viewport |
+//! | [`geometry`] | object space to triangles on the screen: transform, clipping, culling |
+//! | [`raster`] | triangles to spans: edges, gradients |
+//! | [`shade`] | what a covered pixel becomes |
+//! | [`target`] | where it goes: memory, or a display directly |
+//! | [`scene`] | objects with their shaders; drives all of the above |
+//!
+//! # Choices are types
+//!
+//! What a scene needs is said in types, resolved at compile time, and what it does not need is not in its firmware.
+//!
+//! | choice | by | |
+//! |---|---|---|
+//! | sub-pixel precision | the type of the vertex storage | [`S4`](geometry::S4), [`S8`](geometry::S8) |
+//! | depth | the type of the depth buffer | `u16`, `u32`, [`NoDepth`](geometry::NoDepth) |
+//! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
+//! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
+//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), or [your own](shade::Shader) |
+//! | destination | the target's type | [`Frame`](target::Frame), [`Direct`](target::Direct) |
+//!
+//! # Conventions
+//!
+//! ```text
+//!        y                                       (0,0)───────── x, columns
+//!        │     world and object space:             │  ┌────┬────┐
+//!        │     right-handed, as in OBJ             │  │ ·  │ ·  │   display: y runs down,
+//!        └──── x                                   │  ├────┼────┤   pixel (i, j) has its centre
+//!       ╱                                          │  │ ·  │ ·  │   at (i + 1/2, j + 1/2)
+//!      z  towards the viewer                       y  └────┴────┘
+//! ```
+//!
+//! * The camera looks along its own -z. Front faces run counter-clockwise on the screen.
+//! * Vectors are columns, matrices multiply from the left: `(a * b) * v` turns v by b, then by a.
+//! * Angles are turns in Q0.32; positive ones turn x to y about z, y to z about x, z to x about y.
+//! * A pixel is covered if its centre is inside a triangle; a centre on an edge belongs to the triangle whose top or left
+//!   edge it is. So triangles that share an edge share no pixel and leave none out, whatever is blended or counted. This
+//!   is decided exactly, on the snapped vertices; a vertex in the middle of another triangle's edge (a T-junction) may
+//!   leave a gap one pixel wide, as snapping moves it off the edge.
+//! * Depth is near / w: 1 on the near plane, 0 infinitely far away; larger is nearer, the buffer is cleared to 0, and what
+//!   was drawn first wins a tie.
+//! * Colours are worked out in the values that pictures store, without a gamma curve.
+//!
+//! # Numbers
+//!
+//! | what | format | range, error |
+//! |---|---|---|
+//! | world coordinates | Q16.16 | ±32,768 |
+//! | directions, matrices | Q2.30 | orthonormal within 2<sup>-26</sup> |
+//! | positions in a mesh | 16 bits times the mesh's [`Scale`](numbers::Scale) | half a quantum: 1/131,068 of the longest side |
+//! | places on the screen | sub-pixels, 4 or 8 bits behind the point | within 0.625 sub-pixels; ±1,024 pixels about the viewport's middle |
+//! | depth | Q0.16 or Q0.32, stepped with 16 or 18 more bits | 1 unit of the format |
+//! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
+//!
+//! Any finite input gives the right picture or an error value before the first pixel: triangles that leave the guard band
+//! of ±1,024 pixels, the near plane or the far plane are clipped, in every shading mode.
+//!
+//! # Not supported
+//!
+//! * Textures, blending, fog and antialiasing; lines and points. Meshes can carry texture coordinates, no shader reads
+//!   them.
+//! * Perspective-correct varyings: light levels are interpolated linearly on the screen.
+//! * Non-uniform scaling of objects.
+//! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
+//! * Vertices kept across the bands of a frame for several objects at once, unless each has its own storage.
+//!
+//! # Features
+//!
+//! None yet: everything a scene does not name is left out by the compiler.
+//!
+//! [`embedded-graphics`]: https://docs.rs/embedded-graphics
+//! [`Mesh`]: mesh::Mesh
+
 #![no_std]
 
 #[cfg(test)]

@@ -51,8 +51,8 @@ pub struct ScreenVertex<S, D, V> {
 }
 
 impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
-    /// A vertex that is not on the screen, to fill storage with.
-    pub const EMPTY: Self = Self::off_screen(V::ZERO);
+    /// To fill storage with. All its bits are 0, so that storage in a `static` takes no flash.
+    pub const EMPTY: Self = Self::new(0, 0, D::ZERO, V::ZERO);
 
     /// A vertex outside near plane, far plane or guard band.
     pub(crate) const fn off_screen(varyings: V) -> Self {

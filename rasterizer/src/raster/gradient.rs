@@ -248,7 +248,7 @@ impl<S: Subpixel> TriangleSetup<S> {
 
 impl Quick {
     #[inline(always)]
-    fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Self {
+    const fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Self {
         let Reciprocal {
             mantissa,
             leading_zeros,
