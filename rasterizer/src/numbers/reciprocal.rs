@@ -3,6 +3,8 @@
 //! A core without a divide instruction needs some 25 instructions for it, one with a divider no more than the divider
 //! would take for the same precision. All cores compute the same bits.
 
+use super::narrow::leading_zeros;
+
 /// 1 / value as `mantissa * 2^(leading_zeros - 62)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reciprocal {
@@ -36,7 +38,7 @@ impl Reciprocal {
     #[inline(always)]
     pub(crate) const fn of(value: u32) -> Self {
         let value = if value == 0 { 1 } else { value };
-        let leading_zeros = value.leading_zeros();
+        let leading_zeros = leading_zeros(value);
         Self {
             mantissa: mantissa(value << leading_zeros),
             leading_zeros,

@@ -27,7 +27,7 @@ use fixed::types::U16F16;
 
 use crate::{
     geometry::{NoDepth, Subpixel},
-    numbers::{Divisor, Reciprocal, mul_high},
+    numbers::{Divisor, Reciprocal, leading_zeros, mul_high},
 };
 
 /// A running value that is stepped from pixel to pixel, modulo its width.
@@ -94,6 +94,15 @@ pub struct Plane<T> {
     pub per_column: T,
     /// The change from a pixel to the one below it.
     pub per_row: T,
+}
+
+impl<T: Step> Plane<T> {
+    /// The value at the centre of the pixel so many columns and rows from the anchor.
+    #[inline(always)]
+    pub fn at(&self, columns: i32, rows: i32) -> T {
+        let row = self.anchor.plus(self.per_row.times(rows));
+        row.plus(self.per_column.times(columns))
+    }
 }
 
 /// What can be interpolated over a triangle: an attribute, or an array of them.
@@ -212,7 +221,7 @@ impl<S: Subpixel> TriangleSetup<S> {
         let quick = &self.quick;
         // |d1|, |d2| < 2^n and their difference below 2^(n + 1) make numerators below 2^(n + 1) times the extent: by so
         // many bits they can be shifted up. They never exceed 2^31, as attributes do not differ by more than 2^16 - 1.
-        let zeros = (d1.unsigned_abs() | d2.unsigned_abs()).leading_zeros() as i32;
+        let zeros = leading_zeros(d1.unsigned_abs() | d2.unsigned_abs()) as i32;
         let x_up = (quick.height_zeros + zeros - 34).max(0);
         let y_up = (quick.width_zeros + zeros - 34).max(0);
         // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), by 23 at most, as an
@@ -248,25 +257,24 @@ impl<S: Subpixel> TriangleSetup<S> {
 
 impl Quick {
     #[inline(always)]
-    const fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Self {
-        let Reciprocal {
-            mantissa,
-            leading_zeros,
-        } = Reciprocal::of(area as u32);
+    fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Self {
+        let reciprocal = Reciprocal::of(area as u32);
         // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted up by k, add up to less
         // than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k n <= 2^10.
-        let pixels = ((width + height) >> S::BITS) as u32;
+        let height_zeros = leading_zeros(height as u32) as i32;
+        let width_zeros = leading_zeros(width as u32) as i32;
         let shift_limit = if S::BITS > 4 && (width | height) >> 15 != 0 {
             // Numerators need more than 32 bits.
             i32::MAX
         } else {
-            22 - pixels.leading_zeros() as i32
+            // Width and height are both below 2^(32 - zeros) sub-pixels, and n below twice as many pixels.
+            23 - S::BITS as i32 - height_zeros.min(width_zeros)
         };
         Self {
-            reciprocal: mantissa,
-            area_zeros: leading_zeros as i32,
-            height_zeros: height.leading_zeros() as i32,
-            width_zeros: width.leading_zeros() as i32,
+            reciprocal: reciprocal.mantissa,
+            area_zeros: reciprocal.leading_zeros as i32,
+            height_zeros,
+            width_zeros,
             shift_limit,
         }
     }

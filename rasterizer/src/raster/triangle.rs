@@ -1,6 +1,6 @@
 //! One triangle, row by row.
 
-use super::{Interpolate, Span, SpanSink, Step, Window, edge::Edge, gradient::TriangleSetup};
+use super::{Interpolate, Span, SpanSink, Window, edge::Edge, gradient::TriangleSetup};
 use crate::geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings};
 
 /// Twice the area of a triangle on the screen in square sub-pixels: negative if its corners run counter-clockwise, as y
@@ -83,15 +83,13 @@ where
     let depth = D::plane(&setup, [top.depth, second.depth, third.depth]);
     let varyings = V::plane(&setup, [top.varyings, second.varyings, third.varyings]);
     let anchor = at(top).map(|c| c >> S::BITS);
-    let mut row_depth = depth.anchor.plus(depth.per_row.times(first_row - anchor[1]));
-    let mut row_varyings = varyings.anchor.plus(varyings.per_row.times(first_row - anchor[1]));
     let mut span = Span {
         row: first_row,
         start: 0,
         end: 0,
-        depth: row_depth,
+        depth: depth.anchor,
         depth_step: depth.per_column,
-        varyings: row_varyings,
+        varyings: varyings.anchor,
         varyings_step: varyings.per_column,
     };
 
@@ -113,15 +111,13 @@ where
             span.start = left.boundary.max(window.left);
             span.end = right.boundary.min(window.right);
             if span.start < span.end {
-                let columns = span.start - anchor[0];
-                span.depth = row_depth.plus(depth.per_column.times(columns));
-                span.varyings = row_varyings.plus(varyings.per_column.times(columns));
+                let (columns, rows) = (span.start - anchor[0], span.row - anchor[1]);
+                span.depth = depth.at(columns, rows);
+                span.varyings = varyings.at(columns, rows);
                 sink.span(&span)?;
             }
             left.step();
             right.step();
-            row_depth = row_depth.plus(depth.per_row);
-            row_varyings = row_varyings.plus(varyings.per_row);
             span.row += 1;
         }
     }
@@ -133,7 +129,10 @@ mod tests {
     use std::{vec, vec::Vec};
 
     use super::*;
-    use crate::geometry::{S4, S8};
+    use crate::{
+        geometry::{S4, S8},
+        raster::Step,
+    };
 
     struct Counter<D, V> {
         covered: Vec<(i32, i32, D, V)>,

@@ -1,32 +1,43 @@
-//! The upper half of a 32 x 32 bit product.
+//! What the smallest cores have no instruction for: the upper half of a product, and the leading zeros of a number.
 //!
-//! ARMv6-M has no multiplication that gives more than 32 bits: the compiler would call a routine that multiplies
-//! 64 by 64 bits (some 50 instructions). Four products of 16-bit halves need 17 (Warren, *Hacker's Delight*, 2nd ed.,
-//! section 8-2). Both forms give the same bits, so a frame is the same on every core.
+//! `ARMv6-M` has no multiplication that gives more than 32 bits: the compiler would call a routine that multiplies 64 by 64
+//! bits (some 50 instructions). Four products of 16-bit halves need 17 (Warren, *Hacker's Delight*, 2nd ed., section
+//! 8-2). It counts leading zeros by a routine of 33 instructions; a table of 16 entries needs 13. Both forms give the
+//! same bits, so a frame is the same on every core.
 
 /// ⌊a b / 2<sup>32</sup>⌋.
 #[inline(always)]
 pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
-    if LONG_MULTIPLY {
-        ((a as i64 * b as i64) >> 32) as i32
-    } else {
+    if IS_NARROW {
         mul_high_by_halves(a, b)
+    } else {
+        ((a as i64 * b as i64) >> 32) as i32
     }
 }
 
 /// ⌊a b / 2<sup>32</sup>⌋ without signs.
 #[inline(always)]
 pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
-    if LONG_MULTIPLY {
-        ((a as u64 * b as u64) >> 32) as u32
-    } else {
+    if IS_NARROW {
         mul_high_unsigned_by_halves(a, b)
+    } else {
+        ((a as u64 * b as u64) >> 32) as u32
     }
 }
 
-/// Whether the core multiplies 32 by 32 bits to 64. Among ARM targets those without it are the ones without atomic
-/// read-modify-write instructions (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one ask for.
-const LONG_MULTIPLY: bool = cfg!(not(all(target_arch = "arm", not(target_has_atomic = "32"))));
+/// The leading zeros of a number.
+#[inline(always)]
+pub(crate) const fn leading_zeros(value: u32) -> u32 {
+    if IS_NARROW {
+        leading_zeros_by_table(value)
+    } else {
+        value.leading_zeros()
+    }
+}
+
+/// Whether the core lacks both. Among ARM targets these are the ones without atomic read-modify-write instructions
+/// (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one ask for.
+const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 #[inline(always)]
 const fn mul_high_by_halves(a: i32, b: i32) -> i32 {
@@ -48,6 +59,25 @@ const fn mul_high_unsigned_by_halves(a: u32, b: u32) -> u32 {
     let middle = a_high * b_low + ((a_low * b_low) >> 16);
     let other = a_low * b_high + (middle & 0xFFFF);
     a_high * b_high + (middle >> 16) + (other >> 16)
+}
+
+#[inline(always)]
+const fn leading_zeros_by_table(value: u32) -> u32 {
+    const ZEROS: [u8; 16] = [4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+    let (mut rest, mut zeros) = (value, 0);
+    if rest >> 16 == 0 {
+        rest <<= 16;
+        zeros += 16;
+    }
+    if rest >> 24 == 0 {
+        rest <<= 8;
+        zeros += 8;
+    }
+    if rest >> 28 == 0 {
+        rest <<= 4;
+        zeros += 4;
+    }
+    zeros + ZEROS[(rest >> 28) as usize] as u32
 }
 
 #[cfg(test)]
@@ -91,6 +121,15 @@ mod tests {
         }
         for _ in 0..1_000_000 {
             check(next(), next());
+        }
+    }
+
+    #[test]
+    fn table_counts_leading_zeros() {
+        for bit in 0..32 {
+            for value in [1u32 << bit, (1 << bit) - 1, u32::MAX >> bit, (1 << bit) | 1] {
+                assert_eq!(leading_zeros_by_table(value), value.leading_zeros(), "{value:#x}");
+            }
         }
     }
 }

@@ -1,0 +1,123 @@
+//! A shader of one's own: contour lines on a cube, printed as text.
+//!
+//! `cargo run -p rasterizer --example own_shader`
+
+use embedded_graphics::{
+    geometry::{Point, Size},
+    pixelcolor::{Gray8, GrayColor, RgbColor},
+    primitives::Rectangle,
+};
+use fixed::types::U16F16;
+use rasterizer::{
+    camera::{Camera, Distance, Perspective},
+    geometry::{Pose, S4, ScreenVertex},
+    mesh::{Material, Mesh, Tables, Triangles},
+    numbers::{Angle, Rotation, Scale, Vec3},
+    scene::Object,
+    shade::{MeshVertex, Shader},
+    target::Frame,
+};
+
+/// Every other slice through the model is black, the others have the material's red as their grey.
+#[derive(Clone)]
+struct Contours;
+
+impl Shader for Contours {
+    type Color = Gray8;
+    type Varyings = [u16; 1];
+    type Surface = Gray8;
+    fn surface(&self, material: &Material) -> Gray8 {
+        Gray8::new(material.rgb().r())
+    }
+    fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 1] {
+        [vertex.position()[1] as u16 ^ 0x8000]
+    }
+    fn pixel(&self, surface: &Gray8, [height]: [U16F16; 1]) -> Gray8 {
+        if height.to_bits() >> 28 & 1 == 0 {
+            *surface
+        } else {
+            Gray8::BLACK
+        }
+    }
+}
+
+const END: i16 = 32_767;
+
+/// A cube two units wide. Three bits of a vertex's number say on which side of x, y and z it lies.
+static CUBE: Mesh<'static> = Mesh::new_const(Tables {
+    positions: &[
+        [-END, -END, -END],
+        [END, -END, -END],
+        [-END, END, -END],
+        [END, END, -END],
+        [-END, -END, END],
+        [END, -END, END],
+        [-END, END, END],
+        [END, END, END],
+    ],
+    scale: Scale::new(1, -15),
+    offset: Vec3::ZERO,
+    vertex_normals: &[],
+    face_normals: &[],
+    texture_coordinates: &[],
+    texture_fraction_bits: 0,
+    triangles: Triangles::U8(&[
+        [4, 5, 7],
+        [4, 7, 6],
+        [1, 0, 2],
+        [1, 2, 3],
+        [5, 1, 3],
+        [5, 3, 7],
+        [0, 4, 6],
+        [0, 6, 2],
+        [6, 7, 3],
+        [6, 3, 2],
+        [0, 1, 5],
+        [0, 5, 4],
+    ]),
+    materials: &[
+        Material {
+            color: [255, 0, 0],
+            triangle_count: 4,
+        },
+        Material {
+            color: [120, 0, 0],
+            triangle_count: 8,
+        },
+    ],
+});
+
+const WIDTH: u32 = 64;
+const HEIGHT: u32 = 48;
+const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+
+/// The cube as text, two rows of pixels in one of text.
+pub(crate) fn picture() -> Result<String, Box<dyn std::error::Error>> {
+    let screen = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
+    let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("10"))?;
+    let camera = Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, lens, screen)?;
+    let pose = Pose::rotated(Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::degrees(30)));
+
+    let (mut color, mut depth) = ([Gray8::new(40); PIXELS], [0u16; PIXELS]);
+    let mut storage = [ScreenVertex::<S4, _, _>::EMPTY; 8];
+    let mut frame = Frame::new(&mut color, &mut depth, screen)?;
+    Object::new(&CUBE, Contours)
+        .posed(pose)
+        .draw(&camera, &mut storage, &mut frame)?;
+
+    let text = |row: &[Gray8]| -> String {
+        let shade = |pixel: &Gray8| match pixel.luma() {
+            0 => ' ',
+            1..=40 => '.',
+            41..=120 => '+',
+            _ => '#',
+        };
+        row.iter().map(shade).chain(['\n']).collect()
+    };
+    Ok(frame.pixels().chunks(WIDTH as usize).step_by(2).map(text).collect())
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    print!("{}", picture()?);
+    Ok(())
+}
