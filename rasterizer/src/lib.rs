@@ -12,13 +12,9 @@
 //! ```
 //! use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 //! use rasterizer::{
-//!     camera::{Camera, Distance, Perspective},
-//!     geometry::{Pose, S4, ScreenVertex},
 //!     mesh::{Material, Mesh, Tables, Triangles},
-//!     numbers::{Angle, Rotation, Scale, Vec3},
-//!     scene::Object,
-//!     shade::Unlit,
-//!     target::Frame,
+//!     numbers::{Scale, Vec3},
+//!     prelude::*,
 //! };
 //!
 //! static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
@@ -156,6 +152,7 @@ pub mod camera;
 pub mod geometry;
 pub mod mesh;
 pub mod numbers;
+pub mod prelude;
 pub mod raster;
 pub mod scene;
 pub mod shade;

@@ -1,6 +1,7 @@
 //! What the tests share.
 
 mod counter;
+pub mod ends;
 mod picture;
 mod random;
 mod recorder;

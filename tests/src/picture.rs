@@ -1,6 +1,9 @@
 //! Colour and depth of a picture, drawn by any shader into a frame of any part of the display.
 
-use embedded_graphics::{pixelcolor::PixelColor, primitives::{PointsIter, Rectangle}};
+use embedded_graphics::{
+    pixelcolor::PixelColor,
+    primitives::{PointsIter, Rectangle},
+};
 use rasterizer::{
     camera::Camera,
     geometry::{DepthFormat, Projection, S8, ScreenVertex},

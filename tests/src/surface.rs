@@ -23,7 +23,7 @@ pub struct Surface {
 impl Surface {
     /// From its tables, with one unit for a quantum.
     #[must_use]
-    pub fn new(positions: Vec<[i16; 3]>, triangles: Vec<[u16; 3]>) -> Self {
+    pub const fn new(positions: Vec<[i16; 3]>, triangles: Vec<[u16; 3]>) -> Self {
         let materials = [Material {
             color: [200, 100, 50],
             triangle_count: triangles.len() as u32,
@@ -47,7 +47,7 @@ impl Surface {
 
     /// The same in another colour.
     #[must_use]
-    pub fn colored(mut self, color: [u8; 3]) -> Self {
+    pub const fn colored(mut self, color: [u8; 3]) -> Self {
         self.materials[0].color = color;
         self
     }

@@ -1,8 +1,10 @@
 //! One picture in many targets: whole frames, bands, parts of the display, no buffer at all, and displays that fail.
 
 use embedded_graphics::{
+    geometry::Point,
+    mock_display::MockDisplay,
     pixelcolor::{Bgr565, BinaryColor, Gray8, PixelColor, Rgb565, Rgb888, RgbColor},
-    primitives::Rectangle,
+    primitives::{PointsIter, Rectangle},
 };
 use fixed::types::U16F16;
 use rasterizer::{
@@ -14,7 +16,7 @@ use rasterizer::{
     shade::{Gouraud, Level, Light, MeshVertex, Shader, Unlit},
     target::{Direct, Frame, FrameError},
 };
-use rasterizer_tests::{BusError, Call, Counter, Picture, Recorder, Surface, area};
+use rasterizer_tests::{BusError, Call, Picture, Recorder, Surface, area};
 
 const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
 const DISPLAY: Rectangle = area(0, 0, 61, 47);
@@ -49,13 +51,22 @@ fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
 }
 
 fn ball() -> Surface {
-    Surface::ball(16_384, 7).scaled(-14).with_vertex_normals()
+    Surface::ball(16_384, 7)
+        .scaled(-14)
+        .with_vertex_normals()
+        .colored([250, 220, 150])
 }
 
 /// From 0.2 units before the ball, so that some of it is cut by the near plane and the picture's edges.
 fn camera(viewport: Rectangle) -> Camera<Perspective> {
     let lens = Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
-    Camera::at(Vec3::lit("0.1", "0.2", "1.7"), Rotation::about_x(-Angle::degrees(8)), lens, viewport).unwrap()
+    Camera::at(
+        Vec3::lit("0.1", "0.2", "1.7"),
+        Rotation::about_x(-Angle::degrees(8)),
+        lens,
+        viewport,
+    )
+    .unwrap()
 }
 
 /// A picture of a ball, and how many of its pixels show it.
@@ -125,7 +136,10 @@ fn viewports_carry_their_picture() {
         let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
         let viewport = area(x, y, DISPLAY.size.width, DISPLAY.size.height);
         picture.draw(&mesh, Position, &camera(viewport));
-        let moved = Picture { area: viewport, ..whole.clone() };
+        let moved = Picture {
+            area: viewport,
+            ..whole.clone()
+        };
         assert!(picture == moved.crop(DISPLAY, BACKGROUND), "({x}, {y})");
     }
 }
@@ -141,28 +155,24 @@ fn nothing_is_drawn_beside_the_viewport() {
     let mut picture = Picture::<_, u32>::empty(DISPLAY, BACKGROUND);
     picture.draw(&mesh, Unlit::new(), &camera);
     for (index, (&color, &depth)) in picture.color.iter().zip(&picture.depth).enumerate() {
-        let point = embedded_graphics::geometry::Point::new(index as i32 % 61, index as i32 / 61);
+        let point = Point::new(index as i32 % 61, index as i32 / 61);
         let is_drawn = color != BACKGROUND;
         assert_eq!((is_drawn, depth != 0), (viewport.contains(point), is_drawn), "{point}");
     }
 }
 
-/// A convex body without its back faces needs no depth: three kinds of target, one picture. The depth test may let a
-/// pixel go to either of two triangles nowhere, as no two cover it.
+/// A convex body without its back faces needs no depth: four kinds of target, one picture.
 #[test]
 fn targets_agree_on_a_convex_body() {
-    let ball = ball();
-    let mesh = ball.mesh();
+    let cube = Surface::cube(16_384, 1).scaled(-14);
+    let mesh = cube.mesh();
     let whole = whole(&mesh, Position);
 
     let mut wide = Picture::<_, u32>::empty(DISPLAY, BACKGROUND);
     wide.draw(&mesh, Position, &camera(DISPLAY));
     assert_eq!(wide.color, whole.color);
-    let covered = |is_covered: Vec<bool>| is_covered;
-    assert_eq!(
-        covered(wide.depth.iter().map(|&d| d != 0).collect()),
-        covered(whole.depth.iter().map(|&d| d != 0).collect())
-    );
+    let is_covered = wide.depth.iter().map(|&depth| depth != 0);
+    assert!(is_covered.eq(whole.depth.iter().map(|&depth| depth != 0)));
 
     let mut storage = vec![ScreenVertex::<S8, NoDepth, [u16; 3]>::EMPTY; mesh.vertex_count()];
     let object = Object::new(&mesh, Position);
@@ -171,11 +181,177 @@ fn targets_agree_on_a_convex_body() {
     object.draw(&camera(DISPLAY), &mut storage, &mut frame).unwrap();
     assert_eq!(colors, whole.color);
 
-    let mut colors = vec![BACKGROUND; whole.color.len()];
-    let mut display = Frame::without_depth(&mut colors, DISPLAY).map(Display).unwrap();
-    object.draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display)).unwrap();
-    assert_eq!(colors, whole.color);
+    // This display panics if a pixel is drawn twice.
+    let mut display = MockDisplay::<Rgb888>::new();
+    object
+        .draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display))
+        .unwrap();
+    for (point, &color) in DISPLAY.points().zip(&whole.color) {
+        assert_eq!(display.get_pixel(point).unwrap_or(BACKGROUND), color, "{point}");
+    }
 }
 
-/// A display of pixels in memory.
-struct Display<'a>(Frame<'a, Rgb888, NoDepth>);
+/// In memory that is longer than the frame, nothing before and behind it changes.
+#[test]
+fn memory_round_a_frame_is_left_alone() {
+    let ball = ball();
+    let mesh = ball.mesh();
+    let whole = whole(&mesh, Position);
+    let pixels = whole.color.len();
+    let (mut color, mut depth) = (vec![BACKGROUND; pixels + 200], vec![0u32; pixels + 200]);
+    color[..100].fill(Rgb888::RED);
+    color[pixels + 100..].fill(Rgb888::RED);
+    let mut frame = Frame::new(&mut color[100..pixels + 100], &mut depth[100..pixels + 100], DISPLAY).unwrap();
+    let mut storage = vec![ScreenVertex::<S8, u32, [u16; 3]>::EMPTY; mesh.vertex_count()];
+    let object = Object::new(&mesh, Position);
+    object.draw(&camera(DISPLAY), &mut storage, &mut frame).unwrap();
+    assert_eq!(frame.pixels(), whole.color);
+    for side in [0..100, pixels + 100..pixels + 200] {
+        assert!(color[side.clone()].iter().all(|&color| color == Rgb888::RED));
+        assert!(depth[side].iter().all(|&depth| depth == 0));
+    }
+}
+
+#[test]
+fn frames_need_memory_of_their_size() {
+    let (mut color, mut depth) = ([BACKGROUND; 12], [0u16; 12]);
+    let mut frame = |colors: usize, depths: usize, width: u32| {
+        let frame = Frame::new(&mut color[..colors], &mut depth[..depths], area(5, -5, width, 3));
+        frame.map(|frame| frame.area())
+    };
+    assert_eq!(frame(12, 12, 4), Ok(area(5, -5, 4, 3)));
+    assert_eq!(frame(11, 12, 4), Err(FrameError::ColorLength { needed: 12 }));
+    assert_eq!(frame(12, 9, 3), Err(FrameError::ColorLength { needed: 9 }));
+    assert_eq!(frame(12, 11, 4), Err(FrameError::DepthLength { needed: 12 }));
+    assert_eq!(frame(9, 12, 3), Err(FrameError::DepthLength { needed: 9 }));
+    assert_eq!(frame(0, 0, 0), Ok(area(5, -5, 0, 3)));
+    let without = Frame::without_depth(&mut color, area(0, 0, 3, 3)).map(|frame| frame.area());
+    assert_eq!(without, Err(FrameError::ColorLength { needed: 9 }));
+    assert_eq!(
+        FrameError::ColorLength { needed: 9 }.to_string(),
+        "the colour buffer must have 9 pixels"
+    );
+    assert_eq!(
+        FrameError::DepthLength { needed: 9 }.to_string(),
+        "the depth buffer must have 9 cells"
+    );
+}
+
+#[test]
+fn cleared_frames_are_drawn_on_afresh() {
+    let ball = ball();
+    let mesh = ball.mesh();
+    let once = whole(&mesh, Position);
+    let mut again = once.clone();
+    let mut frame = Frame::new(&mut again.color, &mut again.depth, DISPLAY).unwrap();
+    frame.clear(BACKGROUND);
+    assert!(again == Picture::empty(DISPLAY, BACKGROUND));
+    again.draw(&mesh, Position, &camera(DISPLAY));
+    assert!(again == once);
+}
+
+#[test]
+fn frames_are_sent_in_one_run() {
+    let ball = ball();
+    let mesh = ball.mesh();
+    let mut band = whole(&mesh, Position).crop(area(3, 11, 50, 20), BACKGROUND);
+    let colors = band.color.clone();
+    let frame = Frame::new(&mut band.color, &mut band.depth, band.area).unwrap();
+    let mut display = Recorder::new(area(0, 0, 240, 240));
+    assert_eq!(frame.present(&mut display), Ok(()));
+    assert_eq!(display.calls(), [Call::Contiguous(area(3, 11, 50, 20), colors)]);
+    let mut broken = Recorder::failing_after(DISPLAY, 0);
+    assert_eq!(frame.present(&mut broken), Err(BusError));
+}
+
+/// An error of the display comes back from the call that it happened in, and no further call is made.
+fn fails_at_once<Sh: Shader<Color = Rgb888>>(shader: Sh) {
+    let ball = ball();
+    let mesh = ball.mesh();
+    let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+    let object = Object::new(&mesh, shader);
+    let mut works = Recorder::new(DISPLAY);
+    object
+        .draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut works))
+        .unwrap();
+    let calls = works.calls();
+    assert!(calls.len() > 100);
+    for working in [0, 1, calls.len() / 2, calls.len() - 1] {
+        let mut fails = Recorder::failing_after(DISPLAY, working);
+        let drawn = object.draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut fails));
+        assert_eq!(drawn, Err(DrawError::Target(BusError)));
+        assert_eq!(fails.calls(), &calls[..=working]);
+    }
+    let mut fails = Recorder::failing_after(DISPLAY, 3);
+    let projected = object.project(&camera(DISPLAY), &mut storage).unwrap();
+    assert_eq!(projected.draw(&mut Direct::new(&mut fails)), Err(BusError));
+    assert_eq!(fails.calls().len(), 4);
+}
+
+#[test]
+fn errors_of_a_display_come_back_at_once() {
+    fails_at_once(Unlit::new());
+    fails_at_once(gouraud());
+    fails_at_once(Position);
+}
+
+/// The runs of a ball on a display: its spans.
+fn spans<Sh: Shader<Color = Rgb888>>(shader: Sh, is_solid: bool) -> Vec<Rectangle> {
+    let ball = ball();
+    let mesh = ball.mesh();
+    let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+    let mut display = Recorder::new(DISPLAY);
+    let object = Object::new(&mesh, shader);
+    object
+        .draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display))
+        .unwrap();
+    let row = |call: &Call<Rgb888>| match call {
+        Call::Solid(row, _) if is_solid => *row,
+        Call::Contiguous(row, colors) if !is_solid && colors.len() == row.size.width as usize => *row,
+        other => panic!("{other:?}"),
+    };
+    display.calls().iter().map(row).collect()
+}
+
+/// One colour a triangle is one `fill_solid` a span, interpolated colours one `fill_contiguous`; none is empty.
+#[test]
+fn spans_are_runs() {
+    let solid = spans(Unlit::new(), true);
+    assert!(solid.iter().all(|row| row.size.height == 1 && row.size.width > 0));
+    assert_eq!(solid, spans(gouraud(), false));
+    assert_eq!(solid, spans(Position, false));
+}
+
+/// The picture in a colour type is the one of 24 bits, converted: a surface's colours are worked out before that.
+fn draws_in<C: PixelColor + From<Rgb888> + std::fmt::Debug>(background: C) {
+    let ball = ball();
+    let mesh = ball.mesh();
+    let convert = |&color: &Rgb888| if color == BACKGROUND { background } else { color.into() };
+    let mut flat = Picture::<C, u16>::empty(DISPLAY, background);
+    flat.draw(&mesh, Unlit::new(), &camera(DISPLAY));
+    assert!(
+        flat.color
+            .iter()
+            .copied()
+            .eq(whole(&mesh, Unlit::new()).color.iter().map(convert))
+    );
+    let mut smooth = Picture::<C, u16>::empty(DISPLAY, background);
+    smooth.draw(&mesh, gouraud(), &camera(DISPLAY));
+    assert!(
+        smooth
+            .color
+            .iter()
+            .copied()
+            .eq(whole(&mesh, gouraud()).color.iter().map(convert))
+    );
+    assert!(smooth.color.iter().any(|&color| color != background));
+}
+
+#[test]
+fn all_kinds_of_colors_are_drawn() {
+    draws_in(Rgb888::BLUE);
+    draws_in(Rgb565::BLUE);
+    draws_in(Bgr565::BLUE);
+    draws_in(Gray8::new(3));
+    draws_in(BinaryColor::Off);
+}

@@ -92,48 +92,103 @@ pub(super) struct Judge<'a> {
     pub(super) time: Duration,
 }
 
-/// Compares a picture with a reference.
+/// How one pixel differs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Difference {
+    /// Neither picture covers it.
+    Background,
+    /// Only the fixed-point picture covers it.
+    OnlyFixed,
+    /// Only the reference covers it.
+    OnlyReference {
+        /// The reference's colour.
+        color: [f64; 3],
+    },
+    /// Both cover it.
+    Both {
+        /// The largest difference of a channel in 8-bit steps.
+        color_error: f64,
+        /// The difference of depth in units of the stored format.
+        depth_error: f64,
+        /// The reference's colour.
+        color: [f64; 3],
+    },
+}
+
+/// Compares the pixel (x, y) with a reference whose depth of 1 stands for `unit` units of the stored format.
 ///
 /// Where several layers lie within one unit of depth of the nearest, the stored format cannot tell them apart, and
 /// either is right: the pixel is held against the one whose colour it comes closest to.
+pub(super) fn difference(
+    fixed: &FixedPicture,
+    [x, y]: [usize; 2],
+    depth: DepthFormat,
+    reference: &Picture,
+    unit: f64,
+) -> Difference {
+    let pixel = fixed.pixels[y * reference.width() + x];
+    let is_covered = pixel.depth != 0;
+    let Some(nearest) = reference.nearest(x, y) else {
+        return if is_covered {
+            Difference::OnlyFixed
+        } else {
+            Difference::Background
+        };
+    };
+    if !is_covered {
+        return Difference::OnlyReference { color: nearest.color };
+    }
+    let (color_error, depth_error, color) = reference
+        .fragments(x, y)
+        .iter()
+        .filter(|fragment| (nearest.depth - fragment.depth) * unit <= 1.0)
+        .map(|fragment| {
+            // Both as the formats store them.
+            let stored = (fragment.depth * unit).round().clamp(1.0, depth.max());
+            let channel = |i: usize| (f64::from(pixel.color[i]) - fragment.color[i].round()).abs();
+            let color_error = channel(0).max(channel(1)).max(channel(2));
+            (color_error, (f64::from(pixel.depth) - stored).abs(), fragment.color)
+        })
+        .min_by(|a, b| (a.0, a.1).partial_cmp(&(b.0, b.1)).unwrap_or(std::cmp::Ordering::Equal))
+        .unwrap_or((0.0, 0.0, nearest.color));
+    Difference::Both {
+        color_error,
+        depth_error,
+        color,
+    }
+}
+
+/// Compares a picture with a reference.
 pub(super) fn compare(fixed: &FixedPicture, fixed_time: Duration, depth: DepthFormat, judge: &Judge<'_>) -> Comparison {
-    let (reference, unit) = (judge.picture, judge.depth_unit);
     let [width, height] = fixed.size.map(|c| c as usize);
     let (mut pixels, mut coverage_mismatches, mut both) = (0, 0, 0);
     let (mut depth_max, mut depth_squares, mut color_max, mut color_squares) = (0f64, 0f64, 0f64, 0f64);
     for y in 0..height {
         for x in 0..width {
             let pixel = fixed.pixels[y * width + x];
-            let is_covered = pixel.depth != 0;
-            pixels += usize::from(is_covered);
-            let Some(nearest) = reference.nearest(x, y) else {
-                coverage_mismatches += usize::from(is_covered);
-                color_squares += squares(pixel.color, [0.0; 3]);
-                continue;
-            };
-            if !is_covered {
-                coverage_mismatches += 1;
-                color_squares += squares(pixel.color, nearest.color);
-                continue;
+            pixels += usize::from(pixel.depth != 0);
+            match difference(fixed, [x, y], depth, judge.picture, judge.depth_unit) {
+                Difference::Background => {}
+                Difference::OnlyFixed => {
+                    coverage_mismatches += 1;
+                    color_squares += squares(pixel.color, [0.0; 3]);
+                }
+                Difference::OnlyReference { color } => {
+                    coverage_mismatches += 1;
+                    color_squares += squares(pixel.color, color);
+                }
+                Difference::Both {
+                    color_error,
+                    depth_error,
+                    color,
+                } => {
+                    both += 1;
+                    color_max = color_max.max(color_error);
+                    depth_max = depth_max.max(depth_error);
+                    depth_squares += depth_error * depth_error;
+                    color_squares += squares(pixel.color, color);
+                }
             }
-            both += 1;
-            let (color_error, depth_error, color) = reference
-                .fragments(x, y)
-                .iter()
-                .filter(|fragment| (nearest.depth - fragment.depth) * unit <= 1.0)
-                .map(|fragment| {
-                    // Both as the formats store them.
-                    let stored = (fragment.depth * unit).round().clamp(1.0, depth.max());
-                    let channel = |i: usize| (f64::from(pixel.color[i]) - fragment.color[i].round()).abs();
-                    let color_error = channel(0).max(channel(1)).max(channel(2));
-                    (color_error, (f64::from(pixel.depth) - stored).abs(), fragment.color)
-                })
-                .min_by(|a, b| (a.0, a.1).partial_cmp(&(b.0, b.1)).unwrap_or(std::cmp::Ordering::Equal))
-                .unwrap_or((0.0, 0.0, nearest.color));
-            color_max = color_max.max(color_error);
-            depth_max = depth_max.max(depth_error);
-            depth_squares += depth_error * depth_error;
-            color_squares += squares(pixel.color, color);
         }
     }
     let mean_square = color_squares / (3 * width * height) as f64;

@@ -15,7 +15,7 @@ mod view;
 use std::time::{Duration, Instant};
 
 use compare::Judge;
-pub use compare::{Bounds, Comparison, Outcome};
+pub use compare::{Bounds, Comparison, Difference, Outcome};
 pub use fixed::{FixedPicture, Pixel};
 pub use view::{DepthFormat, Projection, Shading, Subpixel, View, ViewError};
 
@@ -32,6 +32,30 @@ pub struct Checked {
     pub arithmetic: reference::Picture,
     /// The reference from the OBJ file's numbers.
     pub end_to_end: reference::Picture,
+    /// In which the fixed-point picture has its depth.
+    pub depth: DepthFormat,
+}
+
+impl Checked {
+    /// How the pixel (x, y) of the fixed-point picture differs from the reference on the core's own vertices.
+    ///
+    /// # Panics
+    ///
+    /// Outside the picture.
+    #[must_use]
+    pub fn arithmetic_difference(&self, x: usize, y: usize) -> Difference {
+        compare::difference(&self.fixed, [x, y], self.depth, &self.arithmetic, 1.0)
+    }
+
+    /// How it differs from the reference from the OBJ file's numbers.
+    ///
+    /// # Panics
+    ///
+    /// Outside the picture.
+    #[must_use]
+    pub fn end_to_end_difference(&self, x: usize, y: usize) -> Difference {
+        compare::difference(&self.fixed, [x, y], self.depth, &self.end_to_end, self.depth.max())
+    }
 }
 
 /// Draws a model by the fixed-point core and by the reference, and compares.
@@ -75,6 +99,7 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
         fixed: drawn.picture,
         arithmetic,
         end_to_end,
+        depth: view.depth,
     })
 }
 

@@ -37,7 +37,7 @@ use rasterizer::{
 };
 
 pub use error::{LineFault, ModelError};
-pub use report::{Flash, Report};
+pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
 
 use triangulate::Triangle;

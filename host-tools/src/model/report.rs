@@ -4,6 +4,7 @@ use std::fmt;
 
 /// The figures of a conversion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Report {
     /// Vertices (`v` lines) in the file.
     pub file_vertices: usize,
@@ -35,6 +36,7 @@ pub struct Report {
 
 /// The bytes that each table takes in flash.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Flash {
     /// Three `i16` a vertex.
     pub positions: usize,
@@ -128,7 +130,8 @@ impl fmt::Display for Report {
 }
 
 /// 1234567 as 1,234,567.
-pub(super) fn thousands(number: usize) -> String {
+#[must_use]
+pub fn thousands(number: usize) -> String {
     grouped(number, ',')
 }
 

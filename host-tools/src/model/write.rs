@@ -14,7 +14,7 @@ use super::{Model, Options, emit, error::ModelError};
 ///
 /// If the path is a directory, its directory is missing or cannot be written to, or the disk is full. A file that was
 /// there before is then still the same.
-pub fn write_atomically(path: &Path, text: &str) -> Result<(), ModelError> {
+pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), ModelError> {
     if path.is_dir() {
         return Err(ModelError::Directory { path: path.into() });
     }
@@ -25,7 +25,7 @@ pub fn write_atomically(path: &Path, text: &str) -> Result<(), ModelError> {
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let mut file = builder.tempfile_in(directory.unwrap_or(Path::new(".")))?;
-        file.write_all(text.as_bytes())?;
+        file.write_all(contents.as_ref())?;
         file.as_file().sync_all()?;
         file.persist(path)?;
         Ok(())

@@ -7,3 +7,4 @@ pub mod console;
 pub mod frames;
 pub mod memory;
 pub mod models;
+pub mod readme;

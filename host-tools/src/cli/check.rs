@@ -1,0 +1,212 @@
+//! The command `check`: the fixed-point picture against the f64 reference.
+
+use std::{
+    fmt::Write as _,
+    fs,
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context as _, Result, anyhow, bail};
+use clap::Args;
+use host_tools::{
+    check::{self, Bounds, Checked, Outcome, View},
+    model::Model,
+};
+use serde::Serialize;
+
+use super::{
+    Done, convert,
+    image::{self, Legend},
+    output, png,
+    progress::Progress,
+    render, table,
+    view::{Settings, ViewOptions},
+};
+
+const EXAMPLES: &str = "\
+Examples:
+  host-tools check model.obj
+  host-tools check model.obj --frames 60 --depth u32
+  host-tools check model.obj --json | jq .arithmetic
+
+Exit status: 0 if the arithmetic keeps its bounds, 1 if not, 2 for bad usage or bad input.";
+
+/// Compare the fixed-point picture of a model with an f64 reference
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The OBJ file
+    model: PathBuf,
+    /// Directory for fixed.png, reference.png and difference.png [default: target/check/NAME, or NAME-check if there
+    /// is no directory target]
+    #[arg(long, value_name = "DIR")]
+    pictures: Option<PathBuf>,
+    /// Print the result as one JSON object
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    view: ViewOptions,
+}
+
+/// Where the three pictures go.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Pictures {
+    #[serde(serialize_with = "lossy")]
+    pub(super) fixed: PathBuf,
+    #[serde(serialize_with = "lossy")]
+    pub(super) reference: PathBuf,
+    #[serde(serialize_with = "lossy")]
+    pub(super) difference: PathBuf,
+}
+
+/// A path that is not UTF-8 must not make the result unreadable.
+fn lossy<S: serde::Serializer>(path: &Path, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&path.to_string_lossy())
+}
+
+/// The worst of the frames.
+#[derive(Debug)]
+pub(super) struct Worst {
+    pub(super) frame: u32,
+    pub(super) checked: Checked,
+}
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Json {
+    model: String,
+    vertices: usize,
+    triangles: usize,
+    settings: Settings,
+    frames: u32,
+    frame: u32,
+    #[serde(flatten)]
+    outcome: Outcome,
+    bounds: Bounds,
+    within_bounds: bool,
+    pictures: Pictures,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Done> {
+    let (path, frames) = (&arguments.model, arguments.view.frames);
+    if let Some(directory) = &arguments.pictures {
+        allow_directory(directory)?;
+    }
+    let model = convert::load(path, &arguments.view.conversion())?;
+    let view = arguments.view.view();
+    let worst = worst_frame(path, &model, &view, frames)?;
+    let directory = (arguments.pictures.clone()).unwrap_or_else(|| default_directory(path));
+    fs::create_dir_all(&directory).map_err(|error| {
+        anyhow!(
+            "{}: {error}: name another directory for the pictures",
+            directory.display()
+        )
+    })?;
+    let pictures = Pictures {
+        fixed: directory.join("fixed.png"),
+        reference: directory.join("reference.png"),
+        difference: directory.join("difference.png"),
+    };
+    let legend = write_pictures(&worst.checked, &pictures)?;
+
+    let outcome = worst.checked.outcome;
+    let is_within_bounds = outcome.is_within(&Bounds::ARITHMETIC);
+    let settings = Settings::of(&model, &view);
+    let text = if arguments.json {
+        let object = Json {
+            model: path.to_string_lossy().into_owned(),
+            vertices: model.report.vertices,
+            triangles: model.report.triangles,
+            settings,
+            frames,
+            frame: worst.frame,
+            outcome,
+            bounds: Bounds::ARITHMETIC,
+            within_bounds: is_within_bounds,
+            pictures,
+        };
+        serde_json::to_string_pretty(&object)? + "\n"
+    } else {
+        let (vertices, triangles) = (model.report.vertices, model.report.triangles);
+        let mut text = format!("{}: {vertices} vertices, {triangles} triangles\n", path.display());
+        writeln!(text, "{}", settings.summary())?;
+        if frames > 1 {
+            writeln!(text, "The worst of {frames} frames: frame {}", worst.frame)?;
+        }
+        writeln!(text, "\n{}", table::comparisons(&outcome, &Bounds::ARITHMETIC))?;
+        writeln!(text, "{}\n", table::meaning(&outcome, &Bounds::ARITHMETIC))?;
+        writeln!(text, "Fixed point  {}", pictures.fixed.display())?;
+        writeln!(text, "Reference    {}", pictures.reference.display())?;
+        writeln!(text, "Difference   {}", pictures.difference.display())?;
+        text + &table::legend(&legend)
+    };
+    Ok(Done { text, is_within_bounds })
+}
+
+/// Checks every frame of the turntable and keeps the worst: one that exceeds a bound, if there is any.
+pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) -> Result<Worst> {
+    let progress = Progress::over(frames, "checking");
+    let badness = |outcome: &Outcome| (!outcome.is_within(&Bounds::ARITHMETIC), outcome.badness());
+    let mut worst: Option<Worst> = None;
+    for frame in 0..frames {
+        let checked =
+            check::check(model, &view.turned(frame, frames)).map_err(|error| render::refused(path, &error))?;
+        let is_worse = |worst: &Worst| badness(&checked.outcome) > badness(&worst.checked.outcome);
+        if shows_something(&checked.outcome) && worst.as_ref().is_none_or(is_worse) {
+            worst = Some(Worst { frame, checked });
+        }
+        progress.step();
+    }
+    drop(progress);
+    // A check that saw nothing has checked nothing.
+    worst.with_context(|| render::nothing_seen(path))
+}
+
+/// Whether one of the pictures covers a pixel.
+const fn shows_something(outcome: &Outcome) -> bool {
+    let Outcome { arithmetic, end_to_end } = outcome;
+    arithmetic.pixels + arithmetic.coverage_mismatches + end_to_end.coverage_mismatches > 0
+}
+
+/// Writes the three pictures of a frame.
+pub(super) fn write_pictures(checked: &Checked, pictures: &Pictures) -> Result<Legend> {
+    let (difference, legend) = image::of_differences(checked, &Bounds::ARITHMETIC);
+    let fixed = image::of_fixed(&checked.fixed, image::BACKGROUND);
+    let reference = image::of_reference(&checked.end_to_end, image::BACKGROUND);
+    let files = [
+        (&pictures.fixed, fixed),
+        (&pictures.reference, reference),
+        (&pictures.difference, difference),
+    ];
+    for (path, _) in &files {
+        output::allow_png(path)?;
+    }
+    for (path, image) in &files {
+        output::write_png(path, &png::still(image)?)?;
+    }
+    Ok(legend)
+}
+
+fn default_directory(model: &Path) -> PathBuf {
+    if Path::new("target").is_dir() {
+        Path::new("target/check").join(output::named_after(model, ""))
+    } else {
+        output::named_after(model, "-check")
+    }
+}
+
+/// Refuses a directory that is none, or that has no parent to be created in.
+fn allow_directory(directory: &Path) -> Result<()> {
+    let parent = directory.parent().filter(|parent| !parent.as_os_str().is_empty());
+    if directory.exists() && !directory.is_dir() {
+        bail!("{} is not a directory: name one for the pictures", directory.display());
+    }
+    if let Some(parent) = parent.filter(|parent| !parent.is_dir()) {
+        bail!(
+            "{}: there is no directory {}: create it, or choose another place",
+            directory.display(),
+            parent.display()
+        );
+    }
+    Ok(())
+}

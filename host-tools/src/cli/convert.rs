@@ -1,0 +1,147 @@
+//! The command `convert`: from an OBJ file to const tables.
+
+use std::{
+    fmt::Write as _,
+    path::{Path, PathBuf},
+};
+
+use anyhow::Result;
+use clap::{Args, ValueEnum};
+use host_tools::model::{Contents, Fit, Model, Options, Report, emit, write_atomically};
+use serde::Serialize;
+
+use super::{Done, output, progress::Progress, view::within};
+
+/// With these words begins every file of tables.
+const MARK: &str = "// A model as const tables, written by host-tools ";
+
+const EXAMPLES: &str = "\
+Examples:
+  host-tools convert model.obj
+  host-tools convert model.obj -o firmware/src/model.rs --name SHIP
+  host-tools convert model.obj --normals face        Flat shading needs no other normals
+  host-tools convert model.obj --json | jq .flash
+
+Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL`.";
+
+/// Write a model as const tables in Rust
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The OBJ file
+    model: PathBuf,
+    /// Where to write the tables [default: the model's name with .rs, in this directory]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// The name of the static, written in capitals [default: that of the model]
+    #[arg(long)]
+    name: Option<String>,
+    /// Keep the file's coordinates; without, the model is fitted into a sphere of radius 1 about the origin
+    #[arg(long)]
+    keep_units: bool,
+    /// Up to this angle between two faces, a computed normal is smooth across their edge
+    #[arg(long, value_name = "DEGREES", default_value_t = Options::default().crease_degrees, value_parser = within(0.0, 180.0), allow_negative_numbers = true)]
+    crease: f64,
+    /// Which normals: vertex for Gouraud shading, face for flat shading
+    #[arg(long, value_name = "WHICH", default_value = "both")]
+    normals: Normals,
+    /// Keep texture coordinates
+    #[arg(long)]
+    texture_coordinates: bool,
+    /// Overwrite a file that this program has not made
+    #[arg(long)]
+    force: bool,
+    /// Print the report as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Normals {
+    Vertex,
+    Face,
+    Both,
+    None,
+}
+
+impl Arguments {
+    fn options(&self) -> Options {
+        Options {
+            fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
+            crease_degrees: self.crease,
+            contents: Contents {
+                vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
+                face_normals: matches!(self.normals, Normals::Face | Normals::Both),
+                texture_coordinates: self.texture_coordinates,
+            },
+            name: self.name.clone(),
+        }
+    }
+}
+
+/// What `--json` prints.
+#[derive(Serialize)]
+struct Json<'a> {
+    model: String,
+    output: String,
+    name: &'a str,
+    #[serde(flatten)]
+    report: Report,
+    position_error_max_percent: f64,
+    position_error_rms_percent: f64,
+    flash_total: usize,
+    warnings: &'a [String],
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Done> {
+    let path = (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".rs"));
+    let model = load(&arguments.model, &arguments.options())?;
+    write(&model, &path, arguments.force)?;
+    let text = if arguments.json {
+        json(arguments, &path, &model)?
+    } else {
+        let mut text = model.report.to_string();
+        writeln!(text, "\nWrote {}: static {}", path.display(), model.name)?;
+        text
+    };
+    Ok(text.into())
+}
+
+fn json(arguments: &Arguments, path: &Path, model: &Model) -> Result<String> {
+    let report = model.report;
+    let object = Json {
+        model: arguments.model.to_string_lossy().into_owned(),
+        output: path.to_string_lossy().into_owned(),
+        name: &model.name,
+        report,
+        position_error_max_percent: report.percent_of_size(report.position_error_max),
+        position_error_rms_percent: report.percent_of_size(report.position_error_rms),
+        flash_total: report.flash.total(),
+        warnings: &model.warnings,
+    };
+    Ok(serde_json::to_string_pretty(&object)? + "\n")
+}
+
+/// Loads a model and passes its warnings on.
+pub(super) fn load(path: &Path, options: &Options) -> Result<Model> {
+    let model = {
+        let _progress = Progress::over(1, "reading the model");
+        Model::load(path, options)?
+    };
+    for warning in &model.warnings {
+        output::complain("warning", warning);
+    }
+    Ok(model)
+}
+
+/// Writes a model's tables.
+pub(super) fn write(model: &Model, path: &Path, force: bool) -> Result<()> {
+    // The empty mark stands at the start of any file.
+    let mark = if force { "" } else { MARK };
+    output::allow(
+        path,
+        mark.as_bytes(),
+        "choose another name, remove it, or convert with --force",
+    )?;
+    Ok(write_atomically(path, emit::source(model))?)
+}

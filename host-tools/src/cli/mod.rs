@@ -1,0 +1,129 @@
+//! The arguments, and what an exit status means: 0 all well, 1 a bound is exceeded, 2 bad usage or bad input.
+
+mod check;
+mod convert;
+mod image;
+mod output;
+mod png;
+mod progress;
+mod render;
+mod showcase;
+mod table;
+mod view;
+
+use std::{ffi::OsStr, path::PathBuf, process::ExitCode};
+
+use anyhow::Result;
+use clap::{
+    Parser, Subcommand,
+    builder::{PathBufValueParser, TypedValueParser as _},
+    error::ErrorKind,
+};
+
+const EXAMPLES: &str = "\
+Examples:
+  host-tools                        All of it on a model that comes with the program
+  host-tools model.obj              All of it on a model of yours
+  host-tools convert model.obj      The tables alone: model.rs
+  host-tools render model.obj       What a display will show: model.png
+  host-tools check model.obj        Fixed point against f64, in numbers and pictures
+
+Exit status: 0 if all went well, 1 if the check exceeds a bound, 2 for bad usage or bad input.";
+
+/// Turns OBJ models into const tables for the fixed-point rasterizer, and checks its pictures against an f64 reference.
+///
+/// Without a command: converts, renders and checks a model, and leaves tables and pictures in the directory `target`.
+#[derive(Debug, Parser)]
+#[command(version, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// The OBJ file to convert, render and check [default: the rocket that comes with the program]
+    #[arg(value_parser = PathBufValueParser::new().try_map(no_mistyped_command))]
+    model: Option<PathBuf>,
+}
+
+/// Lets all paths pass but a bare word that is no file: for that, "no such file" would be a puzzling answer.
+fn no_mistyped_command(path: PathBuf) -> Result<PathBuf, &'static str> {
+    if path.exists() || path.extension().is_some() || path.components().count() > 1 {
+        Ok(path)
+    } else {
+        Err("there is no such file, and the commands are convert, render and check")
+    }
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Convert(convert::Arguments),
+    Render(render::Arguments),
+    Check(check::Arguments),
+}
+
+/// What a command has to say when its files are written.
+struct Done {
+    /// For the standard output.
+    text: String,
+    /// Whether all bounds are kept.
+    is_within_bounds: bool,
+}
+
+impl From<String> for Done {
+    /// For commands that have no bounds.
+    fn from(text: String) -> Self {
+        Self {
+            text,
+            is_within_bounds: true,
+        }
+    }
+}
+
+/// Runs the program.
+pub(crate) fn run() -> ExitCode {
+    let arguments = Arguments::try_parse().unwrap_or_else(|error| {
+        // A mistyped command is taken for the model, and what follows for a command that cannot follow it.
+        if error.kind() == ErrorKind::ArgumentConflict
+            && let Some(word) = std::env::args_os().nth(1)
+        {
+            let _ = Arguments::try_parse_from([OsStr::new("host-tools"), &word]).map_err(|error| error.exit());
+        }
+        error.exit()
+    });
+    let done = match &arguments.command {
+        Some(Command::Convert(arguments)) => convert::run(arguments),
+        Some(Command::Render(arguments)) => render::run(arguments),
+        Some(Command::Check(arguments)) => check::run(arguments),
+        None => showcase::run(arguments.model.as_deref()),
+    };
+    let told = done.and_then(|done| output::print(&done.text).map(|()| done.is_within_bounds));
+    ExitCode::from(status(told))
+}
+
+/// The exit status of a command that kept its bounds or not, or failed, which is then said.
+fn status(told: Result<bool>) -> u8 {
+    match told {
+        Ok(true) => 0,
+        Ok(false) => 1,
+        Err(error) => {
+            output::complain("error", &error.to_string());
+            2
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_well_formed() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn the_exit_status_tells_a_bound_from_a_failure() {
+        let failure = Err(anyhow::anyhow!("this line belongs to a test"));
+        assert_eq!([Ok(true), Ok(false), failure].map(status), [0, 1, 2]);
+    }
+}

@@ -1,0 +1,80 @@
+//! Where results go: the standard output, and files that appear whole or not at all.
+
+use std::{
+    fmt::Display,
+    fs::{self, File},
+    io::{self, ErrorKind, Read as _, Write as _},
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context as _, Result, bail};
+use host_tools::model::write_atomically;
+
+/// Prints to the standard output. A reader that has seen enough and closed the pipe is no fault.
+pub(super) fn print(text: &str) -> Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context("the result could not be printed"),
+        _ => Ok(()),
+    }
+}
+
+/// Prints a line to the standard error; if that is closed too, nobody is there to be told.
+pub(super) fn complain(kind: &str, message: &str) {
+    let _ = writeln!(io::stderr(), "{kind}: {message}");
+}
+
+/// The model's file name with another ending.
+pub(super) fn named_after(model: &Path, ending: &str) -> PathBuf {
+    let mut name = model.file_stem().unwrap_or_default().to_os_string();
+    name.push(ending);
+    name.into()
+}
+
+/// Refuses what cannot or must not be written to: a directory, a device, a missing directory, and a file that does not
+/// start with `mark` and so was not made by this program.
+pub(super) fn allow(path: &Path, mark: &[u8], otherwise: impl Display) -> Result<()> {
+    let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+    if let Some(directory) = directory.filter(|directory| !directory.is_dir()) {
+        bail!(
+            "{}: there is no directory {}: create it, or choose another place",
+            path.display(),
+            directory.display()
+        );
+    }
+    let metadata = match fs::metadata(path) {
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(()),
+        Err(error) => bail!("{}: {error}: choose another name for the result", path.display()),
+        Ok(metadata) => metadata,
+    };
+    if metadata.is_dir() {
+        bail!("{} is a directory: name a file in it for the result", path.display());
+    }
+    if !metadata.is_file() {
+        bail!(
+            "{} is not an ordinary file: choose another name for the result",
+            path.display()
+        );
+    }
+    let mut start = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(mark.len() as u64).read_to_end(&mut start));
+    if read.is_err() || start != mark {
+        bail!(
+            "{} exists and was not made by this program: {otherwise}",
+            path.display()
+        );
+    }
+    Ok(())
+}
+
+/// Writes a PNG file, over an older PNG file if need be.
+pub(super) fn write_png(path: &Path, png: &[u8]) -> Result<()> {
+    allow_png(path)?;
+    Ok(write_atomically(path, png)?)
+}
+
+/// Refuses what [`write_png`] would refuse: asked before long work.
+pub(super) fn allow_png(path: &Path) -> Result<()> {
+    const SIGNATURE: &[u8; 8] = b"\x89PNG\r\n\x1a\n";
+    allow(path, SIGNATURE, "it is no PNG file; choose another name, or remove it")
+}

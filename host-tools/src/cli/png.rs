@@ -1,0 +1,44 @@
+//! PNG files, still and moving.
+
+use anyhow::Result;
+use png::{BitDepth, ColorType, Encoder};
+
+use super::image::Image;
+
+/// An animation takes this long for a full turn.
+const TURN_SECONDS: u16 = 3;
+/// Many viewers slow down animations of more frames a second than this.
+const MOST_FRAMES_A_SECOND: u16 = 50;
+
+/// The bytes of a PNG file of one picture.
+pub(super) fn still(image: &Image) -> Result<Vec<u8>> {
+    animation(image.size, 1, std::iter::once(Ok(image.clone())))
+}
+
+/// The bytes of a PNG file that turns for ever; of one frame, an ordinary PNG file.
+///
+/// What cannot show animations (PNG specification, third edition, 2025) shows the first frame.
+pub(super) fn animation(
+    [width, height]: [u32; 2],
+    frames: u16,
+    images: impl Iterator<Item = Result<Image>>,
+) -> Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    let mut encoder = Encoder::new(&mut bytes, width, height);
+    encoder.set_color(ColorType::Rgb);
+    encoder.set_depth(BitDepth::Eight);
+    if frames > 1 {
+        encoder.set_animated(frames.into(), 0)?;
+        if frames <= TURN_SECONDS * MOST_FRAMES_A_SECOND {
+            encoder.set_frame_delay(TURN_SECONDS, frames)?;
+        } else {
+            encoder.set_frame_delay(1, MOST_FRAMES_A_SECOND)?;
+        }
+    }
+    let mut writer = encoder.write_header()?;
+    for image in images {
+        writer.write_image_data(image?.rgb.as_flattened())?;
+    }
+    writer.finish()?;
+    Ok(bytes)
+}

@@ -1,0 +1,115 @@
+//! The command `render`: what a display will show.
+
+use std::path::{Path, PathBuf};
+
+use anyhow::{Result, anyhow};
+use clap::Args;
+use host_tools::{
+    check::{self, FixedPicture, View, ViewError},
+    model::Model,
+};
+
+use super::{Done, convert, image, output, png, progress::Progress, view::ViewOptions};
+
+const EXAMPLES: &str = "\
+Examples:
+  host-tools render model.obj
+  host-tools render model.obj -o logo.png --size 240x240 --yaw 45 --pitch 30
+  host-tools render model.obj --shading flat --rgb565
+  host-tools render model.obj --frames 60           A turntable, as an animated PNG";
+
+/// Draw a model with the fixed-point core, as a display will show it
+#[derive(Debug, Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Arguments {
+    /// The OBJ file
+    model: PathBuf,
+    /// Where to write the picture [default: the model's name with .png, in this directory]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// The background's colour in hexadecimal [default: a dark grey-blue]
+    #[arg(long, value_name = "RRGGBB", value_parser = color)]
+    background: Option<Color>,
+    /// Show the colours of an RGB565 display
+    #[arg(long)]
+    rgb565: bool,
+    #[command(flatten)]
+    view: ViewOptions,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Color([u8; 3]);
+
+fn color(text: &str) -> Result<Color, String> {
+    let digits = text.strip_prefix('#').unwrap_or(text);
+    let is_color = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
+    let number = u32::from_str_radix(digits, 16).ok().filter(|_| is_color);
+    let [_, r, g, b] = number
+        .ok_or("write six hexadecimal digits, as in 283240")?
+        .to_be_bytes();
+    Ok(Color([r, g, b]))
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Done> {
+    let path = (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".png"));
+    output::allow_png(&path)?;
+    let model = convert::load(&arguments.model, &arguments.view.conversion())?;
+    let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
+    let (view, frames) = (arguments.view.view(), arguments.view.frames);
+
+    let mut is_empty = true;
+    let bytes = {
+        let progress = Progress::over(frames, "drawing");
+        let images = (0..frames).map(|frame| {
+            let picture = draw(&arguments.model, &model, &view.turned(frame, frames))?;
+            is_empty &= picture.pixels.iter().all(|pixel| pixel.depth == 0);
+            let image = image::of_fixed(&picture, background);
+            progress.step();
+            Ok(if arguments.rgb565 { image.as_rgb565() } else { image })
+        });
+        png::animation(view.size, u16::try_from(frames)?, images)?
+    };
+    output::write_png(&path, &bytes)?;
+    if is_empty {
+        output::complain("warning", &nothing_seen(&arguments.model));
+    }
+    let [width, height] = view.size;
+    let frames = if frames > 1 {
+        format!(", {frames} frames")
+    } else {
+        String::new()
+    };
+    Ok(format!("Wrote {}: {width}x{height} pixels{frames}\n", path.display()).into())
+}
+
+/// One frame by the fixed-point core.
+pub(super) fn draw(path: &Path, model: &Model, view: &View) -> Result<FixedPicture> {
+    check::render(model, view).map_err(|error| refused(path, &error))
+}
+
+/// Why a view cannot be drawn, with the model's path.
+pub(super) fn refused(path: &Path, error: &ViewError) -> anyhow::Error {
+    anyhow!("{} cannot be drawn in this view: {error}", path.display())
+}
+
+/// For a picture without a single pixel of the model.
+pub(super) fn nothing_seen(path: &Path) -> String {
+    format!(
+        "no pixel shows anything of {}: change --distance, --near, --far, --fov, --orthographic or --size",
+        path.display()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_are_six_digits() {
+        assert_eq!(color("102fFF"), Ok(Color([16, 47, 255])));
+        assert_eq!(color("#000001"), Ok(Color([0, 0, 1])));
+        for text in ["", "12345", "1234567", "+12345", "#", "blue", "ééé", "0x1234"] {
+            assert!(color(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! The options that say how a model is looked at.
+
+use clap::{
+    Args,
+    builder::{PossibleValuesParser, TypedValueParser},
+};
+use host_tools::{
+    check::{DepthFormat, Projection, Shading, Subpixel, View},
+    model::{Model, Options},
+};
+use serde::Serialize;
+
+/// The largest picture, either way; the core's own limit.
+const MAX_SIZE: u32 = 2048;
+
+const SUBPIXELS: [(&str, Subpixel); 2] = [("4", Subpixel::S4), ("8", Subpixel::S8)];
+const DEPTHS: [(&str, DepthFormat); 2] = [("u16", DepthFormat::U16), ("u32", DepthFormat::U32)];
+const SHADINGS: [(&str, Shading); 3] = [
+    ("flat", Shading::Flat),
+    ("gouraud", Shading::Gouraud),
+    ("unlit", Shading::Unlit),
+];
+
+/// How the model is looked at: from a point on the z axis toward the origin, where the model is turned in place.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "View")]
+pub(super) struct ViewOptions {
+    /// Width and height of the picture in pixels, 1x1 to 2048x2048
+    #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
+    size: [u32; 2],
+    /// Binary digits behind the point of a pixel coordinate
+    #[arg(long, value_name = "BITS", default_value = name(&SUBPIXELS, View::default().subpixel), value_parser = choice(&SUBPIXELS))]
+    subpixel: Subpixel,
+    /// Format of the depth buffer
+    #[arg(long, value_name = "FORMAT", default_value = name(&DEPTHS, View::default().depth), value_parser = choice(&DEPTHS))]
+    depth: DepthFormat,
+    /// How triangles are coloured
+    #[arg(long, default_value = name(&SHADINGS, View::default().shading), value_parser = choice(&SHADINGS))]
+    shading: Shading,
+    /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
+    #[arg(long, value_name = "UNITS", default_value_t = View::default().distance, value_parser = within(0.0, 32_000.0), allow_negative_numbers = true)]
+    distance: f64,
+    /// Vertical field of view of a perspective camera
+    #[arg(long, value_name = "DEGREES", default_value_t = 40.0, value_parser = within(0.01, 179.9), allow_negative_numbers = true)]
+    fov: f64,
+    /// An orthographic camera instead, and how many units the height of the picture shows
+    #[arg(long, value_name = "HEIGHT", conflicts_with = "fov", value_parser = within(1.0 / 65_536.0, 32_000.0), allow_negative_numbers = true)]
+    orthographic: Option<f64>,
+    /// Distance of the near plane from the camera
+    #[arg(long, value_name = "UNITS", default_value_t = View::default().near, value_parser = within(1.0 / 65_536.0, 65_535.0), allow_negative_numbers = true)]
+    near: f64,
+    /// Distance of the far plane
+    #[arg(long, value_name = "UNITS", default_value_t = View::default().far, value_parser = within(1.0 / 65_536.0, 65_535.0), allow_negative_numbers = true)]
+    far: f64,
+    /// Turn of the model about y (up), the first of its three turns
+    #[arg(long, value_name = "DEGREES", default_value_t = View::default().yaw_degrees, value_parser = within(-3_600.0, 3_600.0), allow_negative_numbers = true)]
+    yaw: f64,
+    /// Turn about x (right)
+    #[arg(long, value_name = "DEGREES", default_value_t = View::default().pitch_degrees, value_parser = within(-3_600.0, 3_600.0), allow_negative_numbers = true)]
+    pitch: f64,
+    /// Turn about z (toward the viewer), the last
+    #[arg(long, value_name = "DEGREES", default_value_t = View::default().roll_degrees, value_parser = within(-3_600.0, 3_600.0), allow_negative_numbers = true)]
+    roll: f64,
+    /// Up to this angle between two faces, a computed normal is smooth across their edge
+    #[arg(long, value_name = "DEGREES", default_value_t = Options::default().crease_degrees, value_parser = within(0.0, 180.0), allow_negative_numbers = true)]
+    crease: f64,
+    /// Frames of a full turn about y, 1 to 360
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=360))]
+    pub(super) frames: u32,
+}
+
+impl ViewOptions {
+    /// The view of frame 0.
+    pub(super) fn view(&self) -> View {
+        View {
+            size: self.size,
+            distance: self.distance,
+            projection: self.orthographic.map_or(
+                Projection::Perspective {
+                    field_of_view_degrees: self.fov,
+                },
+                |height| Projection::Orthographic { height },
+            ),
+            near: self.near,
+            far: self.far,
+            yaw_degrees: self.yaw,
+            pitch_degrees: self.pitch,
+            roll_degrees: self.roll,
+            subpixel: self.subpixel,
+            depth: self.depth,
+            shading: self.shading,
+        }
+    }
+
+    /// How to convert the model for it.
+    pub(super) fn conversion(&self) -> Options {
+        Options {
+            crease_degrees: self.crease,
+            ..Options::default()
+        }
+    }
+}
+
+/// A view in the names and units of the command line.
+#[derive(Clone, Debug, Serialize)]
+pub(super) struct Settings {
+    size: [u32; 2],
+    subpixel: u32,
+    depth: &'static str,
+    shading: &'static str,
+    distance: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fov: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    height: Option<f64>,
+    near: f64,
+    far: f64,
+    yaw: f64,
+    pitch: f64,
+    roll: f64,
+    crease: f64,
+}
+
+impl Settings {
+    pub(super) fn of(model: &Model, view: &View) -> Self {
+        let (fov, height) = match view.projection {
+            Projection::Perspective { field_of_view_degrees } => (Some(field_of_view_degrees), None),
+            Projection::Orthographic { height } => (None, Some(height)),
+        };
+        Self {
+            size: view.size,
+            subpixel: view.subpixel.bits(),
+            depth: name(&DEPTHS, view.depth),
+            shading: name(&SHADINGS, view.shading),
+            distance: view.distance,
+            fov,
+            height,
+            near: view.near,
+            far: view.far,
+            yaw: view.yaw_degrees,
+            pitch: view.pitch_degrees,
+            roll: view.roll_degrees,
+            crease: model.options.crease_degrees,
+        }
+    }
+
+    /// In a few words.
+    pub(super) fn summary(&self) -> String {
+        let [width, height] = self.size;
+        format!(
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading",
+            self.subpixel, self.depth, self.shading
+        )
+    }
+}
+
+/// The name of a value.
+fn name<T: PartialEq>(table: &[(&'static str, T)], value: T) -> &'static str {
+    table.iter().find(|(_, v)| *v == value).map_or("", |(name, _)| name)
+}
+
+/// A parser of the names in a table.
+fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
+    table: &'static [(&'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(table.iter().map(|(name, _)| *name)).try_map(|given| {
+        let found = table.iter().find(|(name, _)| *name == given);
+        found.map(|(_, value)| *value).ok_or("unknown name")
+    })
+}
+
+/// A parser of numbers from `least` to `most`. Infinities and NaN lie in no such range.
+pub(super) fn within(least: f64, most: f64) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let number = text.parse().ok().filter(|n| (least..=most).contains(n));
+        number.ok_or_else(|| format!("it must be a number from {least} to {most}"))
+    }
+}
+
+/// Width and height, as in 320x240.
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIZE).contains(n));
+    let sides = text
+        .split_once(['x', 'X'])
+        .and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    sides.ok_or_else(|| format!("write width x height in pixels, each from 1 to {MAX_SIZE}, as in 320x240"))
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::Parser;
+
+    use super::*;
+
+    #[derive(Debug, Parser)]
+    struct Only {
+        #[command(flatten)]
+        view: ViewOptions,
+    }
+
+    fn parse(arguments: &[&str]) -> Result<ViewOptions, String> {
+        let line = ["x"].iter().chain(arguments);
+        Only::try_parse_from(line)
+            .map(|only| only.view)
+            .map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn no_options_give_the_library_s_defaults() {
+        let options = parse(&[]).unwrap();
+        assert_eq!(options.view(), View::default());
+        assert_eq!(options.conversion(), Options::default());
+    }
+
+    #[test]
+    fn every_option_arrives() {
+        let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --distance 4 --orthographic 2.5 --near 1 --far 9 \
+                    --yaw -1 --pitch 2 --roll 3 --crease 10 --frames 5";
+        let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
+        let expected = View {
+            size: [7, 9],
+            distance: 4.0,
+            projection: Projection::Orthographic { height: 2.5 },
+            near: 1.0,
+            far: 9.0,
+            yaw_degrees: -1.0,
+            pitch_degrees: 2.0,
+            roll_degrees: 3.0,
+            subpixel: Subpixel::S4,
+            depth: DepthFormat::U32,
+            shading: Shading::Flat,
+        };
+        assert_eq!(options.view(), expected);
+        assert_eq!((options.conversion().crease_degrees, options.frames), (10.0, 5));
+    }
+
+    #[test]
+    fn silly_values_are_refused_by_name() {
+        for (option, values) in [
+            (
+                "--size",
+                &["0x0", "99999x1", "1x2049", "x", "", "-1x1", "3.5x1", "320", "1x1x1"][..],
+            ),
+            ("--distance", &["NaN", "inf", "-1", "1e300", "", "far"]),
+            ("--fov", &["0", "180", "NaN", "-40"]),
+            ("--orthographic", &["0", "nan", "1e9"]),
+            ("--near", &["0", "-0.1", "NaN", "1e-300"]),
+            ("--far", &["inf", "0"]),
+            ("--yaw", &["NaN", "1e300", "-infinity"]),
+            ("--crease", &["181", "-1", "NaN"]),
+            ("--frames", &["0", "-3", "361", "1.5", "99999999999999"]),
+            ("--depth", &["u8", "", "U16"]),
+            ("--subpixel", &["5", ""]),
+            ("--shading", &["phong"]),
+        ] {
+            for value in values {
+                let error = parse(&[&format!("{option}={value}")]).unwrap_err();
+                assert!(error.contains(option), "{option}={value}: {error}");
+            }
+        }
+        assert!(parse(&["--fov=30", "--orthographic=2"]).is_err());
+    }
+}

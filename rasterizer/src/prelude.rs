@@ -1,0 +1,11 @@
+//! What most programs name.
+
+pub use crate::{
+    camera::{Camera, Distance, Orthographic, Perspective},
+    geometry::{CullBack, CullFront, CullNone, NoDepth, Pose, S4, S8, ScreenVertex},
+    mesh::Mesh,
+    numbers::{Angle, Rotation, Scalar, Vec3},
+    scene::Object,
+    shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
+    target::{Direct, Frame},
+};

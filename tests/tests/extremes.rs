@@ -1,0 +1,220 @@
+//! The ends of every range: positions, scales, poses, cameras and viewports in all combinations. Nothing panics, nothing
+//! is drawn outside, and what can be known is right.
+
+use embedded_graphics::{geometry::Point, pixelcolor::Rgb888, primitives::Rectangle};
+use rasterizer::{
+    camera::{Camera, Distance, MAX_VIEWPORT_OFFSET, Perspective},
+    geometry::{CullBack, CullFront, CullNone, Pose, Projection, S4, S8, ScreenVertex, Subpixel},
+    numbers::{Angle, Rotation, Vec3},
+    scene::{Object, ProjectError},
+    shade::{Gouraud, Level, Light, Unlit},
+    target::Frame,
+};
+use rasterizer_tests::{Picture, Placed, Random, Scene, Surface, area, ends, pixel_camera};
+
+/// A small part of the display in or near the viewport.
+fn part(random: &mut Random, viewport: Rectangle) -> Rectangle {
+    let Point { x, y } = viewport.top_left;
+    let [width, height] = [viewport.size.width, viewport.size.height].map(|side| side as i32);
+    let middle = random.coin();
+    let mut along = |from: i32, length: i32| {
+        if middle {
+            from + length / 2 - 20
+        } else {
+            from + random.within(-50, length)
+        }
+    };
+    area(along(x, width), along(y, height), 40, 40)
+}
+
+/// Whether the object can be drawn; if so it is drawn as the reference says, also in bands. Counts what is drawn.
+fn scene_is_right<S: Subpixel, P: Projection>(random: &mut Random, lens: P, drawn: &mut u64) -> bool {
+    let stage = ends::stage(random);
+    let camera = stage.camera(lens, ends::viewport(random));
+    let mesh = stage.surface.mesh();
+    let scene = Scene {
+        pose: stage.pose,
+        ..Scene::new(&mesh, camera)
+    };
+    let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(scene.pose);
+    let mut storage = vec![Placed::<S>::EMPTY; mesh.vertex_count()];
+    match object.project(&camera, &mut storage) {
+        Ok(_) => {}
+        Err(ProjectError::Pose(_)) => return false,
+        Err(error) => panic!("{error}"),
+    }
+    let part = part(random, camera.viewport());
+    let counts = scene.count::<S, CullNone>(part);
+    let inside = |index: usize| {
+        let place = part.top_left + Point::new(index as i32 % 40, index as i32 / 40);
+        camera.viewport().contains(place)
+    };
+    let reference = scene.reference::<S, CullNone>(part);
+    for (index, (&count, &layers)) in counts.counts().iter().zip(&reference).enumerate() {
+        assert_eq!(
+            count,
+            if inside(index) { layers } else { 0 },
+            "{scene:#?} {part:?} {index}"
+        );
+    }
+    let front = scene.count::<S, CullBack>(part);
+    let back = scene.count::<S, CullFront>(part);
+    let sums = front
+        .counts()
+        .iter()
+        .zip(back.counts())
+        .map(|(front, back)| front + back);
+    assert!(sums.eq(counts.counts().iter().copied()), "{scene:#?}");
+    let rows = random.within(1, 39);
+    for (top, height) in [(0, rows), (rows, 40 - rows)] {
+        let band = scene.count::<S, CullNone>(area(part.top_left.x, part.top_left.y + top, 40, height as u32));
+        let start = top as usize * 40;
+        assert_eq!(
+            band.counts(),
+            &counts.counts()[start..start + band.counts().len()],
+            "{scene:#?}"
+        );
+    }
+    *drawn += counts.counts().iter().map(|&count| u64::from(count)).sum::<u64>();
+    true
+}
+
+#[test]
+fn random_scenes_are_drawn_as_the_reference_does() {
+    let mut random = Random::new(0x5CE7E);
+    let (mut drawn, mut accepted) = (0, 0);
+    for _ in 0..40_000 {
+        let lens = ends::perspective(&mut random);
+        accepted += u32::from(scene_is_right::<S4, _>(&mut random, lens, &mut drawn));
+        accepted += u32::from(scene_is_right::<S8, _>(&mut random, lens, &mut drawn));
+        let lens = ends::orthographic(&mut random);
+        accepted += u32::from(scene_is_right::<S4, _>(&mut random, lens, &mut drawn));
+        accepted += u32::from(scene_is_right::<S8, _>(&mut random, lens, &mut drawn));
+    }
+    println!("{accepted} of 160000 scenes accepted, {drawn} pixels");
+    assert!(accepted > 120_000 && drawn > 1_000_000, "{accepted} {drawn}");
+}
+
+/// Depth and varyings at all ends, in a frame of 32-bit depth and in its bands.
+#[test]
+fn random_scenes_are_the_same_in_bands() {
+    let mut random = Random::new(77);
+    let mut covered = 0;
+    for _ in 0..40_000 {
+        let mut stage = ends::stage(&mut random);
+        stage.surface = stage.surface.with_vertex_normals();
+        let mesh = stage.surface.mesh();
+        let seen = stage.camera(ends::perspective(&mut random), ends::viewport(&mut random));
+        let shader = Gouraud::<Rgb888>::new(Light::new(ends::place(&mut random), Level::ONE, Level::ONE));
+        let mut storage = vec![ScreenVertex::<S8, u32, [u16; 1]>::EMPTY; mesh.vertex_count()];
+        let object = Object::new(&mesh, shader).posed(stage.pose);
+        let Ok(projected) = object.project(&seen, &mut storage) else {
+            continue;
+        };
+        let part = part(&mut random, seen.viewport());
+        let background = Rgb888::new(1, 2, 3);
+        let draw = |area: Rectangle| {
+            let mut picture = Picture::<_, u32>::empty(area, background);
+            let mut frame = Frame::new(&mut picture.color, &mut picture.depth, area).unwrap();
+            let Ok(()) = projected.draw(&mut frame);
+            picture
+        };
+        let whole = draw(part);
+        covered += whole.depth.iter().filter(|&&depth| depth != 0).count();
+        let rows = random.within(1, 39);
+        for (top, height) in [(0, rows), (rows, 40 - rows)] {
+            let band = draw(area(part.top_left.x, part.top_left.y + top, 40, height as u32));
+            assert!(band == whole.crop(band.area, background), "{projected:?} {part:?}");
+        }
+    }
+    assert!(covered > 80_000, "{covered}");
+}
+
+/// One cell, or none, of the largest and the smallest viewports, at the ends of their offsets, is left out or drawn twice.
+#[test]
+fn viewports_of_all_shapes_are_filled_once() {
+    let mut random = Random::new(4);
+    for offset in [-MAX_VIEWPORT_OFFSET, 0, MAX_VIEWPORT_OFFSET] {
+        for [width, height] in [[1, 1], [1, 2048], [2048, 1], [2, 2], [2048, 2048], [2047, 3], [3, 2047]] {
+            let viewport = area(offset, -offset, width, height);
+            let sheet = Surface::sheet([-1024, 1024], [-1024, 1024], [9, 7], &mut random);
+            let mesh = sheet.mesh();
+            let scene = Scene::new(&mesh, pixel_camera(viewport));
+            for net in [scene.net::<S4>(viewport), scene.net::<S8>(viewport)] {
+                // In sixteenths the last column's edge lies on the guard band, a sub-pixel further in.
+                assert!(net.iter().all(|&layers| layers == 1), "{viewport:?}");
+            }
+        }
+    }
+}
+
+/// All corners equal, two of them, and all on a line, at the ends of the range: no pixel, from either side.
+#[test]
+fn triangles_without_area_draw_nothing() {
+    let (low, high) = (i16::MIN, i16::MAX);
+    let positions = vec![
+        [low, low, 0],
+        [0, 0, 0],
+        [high, high, 0],
+        [0, 0, 0],
+        [-5, 7, 0],
+        [-5, 9, 0],
+        [-5, 8, 0],
+    ];
+    let triangles = vec![
+        [0, 0, 0],
+        [0, 0, 2],
+        [2, 0, 0],
+        [1, 3, 4],
+        [0, 1, 2],
+        [2, 1, 0],
+        [4, 5, 6],
+        [5, 5, 6],
+    ];
+    let viewport = area(0, 0, 300, 300);
+    for exponent in [-12, -8, -4, 0, 4] {
+        let surface = Surface::new(positions.clone(), triangles.clone()).scaled(exponent);
+        let mesh = surface.mesh();
+        let scene = Scene::new(&mesh, pixel_camera(viewport));
+        assert!(
+            scene
+                .count::<S8, CullNone>(viewport)
+                .counts()
+                .iter()
+                .all(|&count| count == 0)
+        );
+        assert!(
+            scene
+                .count::<S4, CullNone>(viewport)
+                .counts()
+                .iter()
+                .all(|&count| count == 0)
+        );
+    }
+}
+
+/// What the mesh's scale takes and the pose's scale gives back changes nothing: the camera sees only their product.
+#[test]
+fn scales_of_mesh_and_pose_multiply() {
+    let ball = Surface::ball(30_000, 5);
+    let viewport = area(0, 0, 100, 100);
+    let seen = |exponent: i32, pose_scale: Distance| {
+        let ball = ball.clone().scaled(exponent);
+        let mesh = ball.mesh();
+        let lens = Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("9")).unwrap();
+        let camera = Camera::at(Vec3::lit("0.1", "0", "2.5"), Rotation::IDENTITY, lens, viewport).unwrap();
+        let scene = Scene {
+            pose: Pose::IDENTITY.scaled(pose_scale),
+            ..Scene::new(&mesh, camera)
+        };
+        scene.count::<S8, CullNone>(viewport)
+    };
+    let plain = seen(-15, Distance::ONE);
+    assert!(plain.counts().iter().sum::<u32>() > 5000);
+    for power in -16..16 {
+        let bits = 1u32 << (16 + power);
+        assert_eq!(seen(-15 - power, Distance::from_bits(bits)), plain, "2^{power}");
+    }
+    let none = seen(-15, Distance::ZERO);
+    assert!(none.counts().iter().all(|&count| count == 0));
+}
