@@ -14,8 +14,9 @@ use rasterizer::{
     shade::Unlit,
 };
 use rasterizer_tests::{
-    Placed, Random, Scene,
+    Placed, Random, Scene, Surface, area,
     ends::{self, Stage},
+    pixel_camera,
 };
 
 /// Three entries, each within half of 2^-14 units and of positions up to 2^15: three units. One for rounding down, one for
@@ -211,4 +212,28 @@ fn vertices_in_perspective_lie_where_they_should() {
     }
 
     assert!(placed > 10_000, "{placed}");
+}
+
+/// A vertex on the guard band's right or lower end lies in its last sub-pixel; beyond the ends it is clipped.
+#[test]
+fn guard_band_reaches_1024_pixels() {
+    fn ends<S: Subpixel>() {
+        let surface = Surface::new(
+            vec![[1024, -1024, 0], [-1024, 1024, 0], [1025, 0, 0], [0, -1025, 0]],
+            vec![[0, 1, 2], [1, 3, 0]],
+        );
+        let mesh = surface.mesh();
+        // The middle lies at (50, 20).
+        let placed = Scene::new(&mesh, pixel_camera(area(0, 0, 100, 40))).vertices::<S>();
+        let last = 1024.0 - 1.0 / f64::from(1 << S::BITS);
+        let want = [
+            Some([50.0 + last, 20.0 + last]),
+            Some([50.0 - 1024.0, 20.0 - 1024.0]),
+            None,
+            None,
+        ];
+        assert_eq!(placed, want);
+    }
+    ends::<S4>();
+    ends::<S8>();
 }

@@ -90,6 +90,7 @@ impl Neg for Angle {
 const SINE: [i32; 6] = [1_686_629_713, -693_598_666, 85_569_282, -5_026_892, 172_072, -3_685];
 
 /// The sine of `turns` / 2^32 of a turn, in Q30.
+#[inline(never)]
 const fn sine(turns: u32) -> i32 {
     // Half turns in Q31, folded at the quarters, where the sine is symmetric: quarter turns in Q30.
     let half_turns = turns as i32;
