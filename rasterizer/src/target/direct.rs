@@ -14,7 +14,9 @@ use crate::{
 
 /// Draws spans as runs on any [`DrawTarget`], each one `fill_solid` or `fill_contiguous`.
 ///
-/// Nothing tests depth: it is for convex bodies whose back faces are culled, and for objects drawn from back to front.
+/// Nothing tests depth: it is for convex bodies whose back faces are culled, and for objects drawn from back to front. A
+/// rounded body whose quads were split along the wrong diagonal is not quite convex: pixels near its outline may be drawn
+/// twice.
 #[derive(Debug)]
 pub struct Direct<'a, T> {
     display: &'a mut T,
