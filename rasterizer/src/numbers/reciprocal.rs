@@ -10,7 +10,7 @@ use super::narrow::leading_zeros;
 pub struct Reciprocal {
     /// 2<sup>62</sup> / (value << `leading_zeros`), from 2<sup>30</sup> to 2<sup>31</sup> - 1.
     ///
-    /// Its relative error is below [`Reciprocal::MAX_RELATIVE_ERROR`].
+    /// Its relative error is below 2<sup>-27</sup>.
     pub(crate) mantissa: i32,
     /// The leading zeros of the value as a `u32`.
     pub(crate) leading_zeros: u32,
@@ -74,8 +74,8 @@ const fn mantissa(m: u32) -> i32 {
     // 1 - m r1 in Q28, at most 2^-13.9.
     let error = ((1u32 << 31).wrapping_sub(product) as i32) >> 3;
     // r2 = r1 + r1 (1 - m r1): Q30, and Q15 x Q28 >> 13 = Q30.
-    let r2 = (r1 << 15).wrapping_add_signed((r1 as i32 * error) >> 13);
-    if r2 > i32::MAX as u32 { i32::MAX } else { r2 as i32 }
+    // A Newton step ends below the reciprocal, so that the largest, that of 2^31, stays below 2^31.
+    (r1 << 15) as i32 + ((r1 as i32 * error) >> 13)
 }
 
 #[cfg(test)]
