@@ -93,6 +93,11 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
     /// Sets all pixels to one colour and their depth to the far end.
     pub fn clear(&mut self, color: C) {
         self.color.fill(color);
+        self.clear_depth();
+    }
+
+    /// Sets the depth of all pixels to the far end, and leaves their colours, for a background that is drawn already.
+    pub fn clear_depth(&mut self) {
         self.depth.clear();
     }
 

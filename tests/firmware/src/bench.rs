@@ -103,10 +103,10 @@ fn scene<S: Subpixel, Sh: Shader<Color = Rgb565>>(
         total.vertices += since(start, ticks);
         for area in halves() {
             color.fill(Rgb565::BLACK);
-            let start = ticks();
-            depth.fill(0);
-            total.clear += since(start, ticks);
             let mut frame = Frame::new(color, depth, area).unwrap_or_else(fail);
+            let start = ticks();
+            frame.clear_depth();
+            total.clear += since(start, ticks);
             let start = ticks();
             let Ok(()) = seen.draw(&mut frame);
             total.triangles += since(start, ticks);
