@@ -97,28 +97,30 @@ where
     let long = Edge::new(at(top), at(bottom), first_row, S::BITS);
     let (mut left, mut right) = (long, long);
     let halves = [(top, middle, middle_row.min(end_row)), (middle, bottom, end_row)];
-    for (upper, lower, end) in halves {
-        if span.row >= end {
+    let mut row = first_row;
+    for (upper, lower, half_end) in halves {
+        if row >= half_end {
             continue;
         }
-        let short = Edge::new(at(upper), at(lower), span.row, S::BITS);
+        let short = Edge::new(at(upper), at(lower), row, S::BITS);
         if middle_is_right {
             right = short;
         } else {
             left = short;
         }
-        while span.row < end {
-            span.start = left.boundary.max(window.left);
-            span.end = right.boundary.min(window.right);
-            if span.start < span.end {
-                let (columns, rows) = (span.start - anchor[0], span.row - anchor[1]);
+        while row < half_end {
+            let start = left.boundary.max(window.left);
+            let end = right.boundary.min(window.right);
+            if start < end {
+                let (columns, rows) = (start - anchor[0], row - anchor[1]);
+                (span.row, span.start, span.end) = (row, start, end);
                 span.depth = depth.at(columns, rows);
                 span.varyings = varyings.at(columns, rows);
                 sink.span(&span)?;
             }
             left.step();
             right.step();
-            span.row += 1;
+            row += 1;
         }
     }
     Ok(())

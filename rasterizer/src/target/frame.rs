@@ -166,7 +166,14 @@ impl<C: PixelColor, B: DepthBuffer> Target for Frame<'_, C, B> {
             self.shade(span, |_| color)
         } else {
             if let Some((colors, _)) = self.run(span) {
-                colors.fill(color);
+                // One test for eight stores; `fill` tests after each.
+                let (eights, rest) = colors.as_chunks_mut::<8>();
+                for eight in eights {
+                    *eight = [color; 8];
+                }
+                for pixel in rest {
+                    *pixel = color;
+                }
             }
             Ok(())
         }
