@@ -132,7 +132,8 @@ pub struct TriangleSetup<S> {
     area: i64,
     /// From the first corner to the anchor's centre, in sub-pixels: at most half a pixel.
     to_anchor: [i32; 2],
-    quick: Quick,
+    /// Nothing if gradients have to be divided exactly.
+    quick: Option<Quick>,
     precision: PhantomData<S>,
 }
 
@@ -140,12 +141,16 @@ pub struct TriangleSetup<S> {
 #[derive(Clone, Copy, Debug)]
 struct Quick {
     reciprocal: i32,
-    /// The leading zeros of the area as a `u32`, of the triangle's height and of its width.
-    area_zeros: i32,
-    height_zeros: i32,
-    width_zeros: i32,
-    /// How far to the left the quotients may be shifted before the bits they lack add up.
-    shift_limit: i32,
+    along_row: Shifts,
+    along_column: Shifts,
+}
+
+/// How a numerator becomes a gradient: `((numerator << up) * reciprocal / 2^32) << left >> right`.
+#[derive(Clone, Copy, Debug)]
+struct Shifts {
+    up: u32,
+    left: u32,
+    right: u32,
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
@@ -211,72 +216,70 @@ impl<S: Subpixel> TriangleSetup<S> {
         corner + (x.wrapping_mul(to_x).wrapping_add(y.wrapping_mul(to_y)) >> S::BITS)
     }
 
-    /// The plane of an attribute of 16 bits by the reciprocal, or nothing if it needs the exact one.
+    /// The plane of an attribute of 16 bits by the reciprocal.
     #[inline(always)]
-    fn quick_plane(&self, [a, b, c]: [u16; 3]) -> Option<Plane<u32>> {
+    fn quick_plane(&self, quick: &Quick, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let a = i32::from(a);
         let (d1, d2) = (i32::from(b) - a, i32::from(c) - a);
         let [dx1, dx2] = self.dx;
         let [dy1, dy2] = self.dy;
-        let quick = &self.quick;
-        // |d1|, |d2| < 2^n and their difference below 2^(n + 1) make numerators below 2^(n + 1) times the extent: by so
-        // many bits they can be shifted up. They never exceed 2^31, as attributes do not differ by more than 2^16 - 1.
-        let zeros = leading_zeros(d1.unsigned_abs() | d2.unsigned_abs()) as i32;
-        let x_up = (quick.height_zeros + zeros - 34).max(0);
-        let y_up = (quick.width_zeros + zeros - 34).max(0);
-        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), by 23 at most, as an
-        // area is not larger than width times height.
-        let base = 14 - S::BITS as i32 - quick.area_zeros;
-        let (x_down, y_down) = (base + x_up, base + y_up);
-        if x_down.min(y_down) < quick.shift_limit {
-            return None;
-        }
         // Products may wrap, their difference does not.
         let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let x = mul_high(numerator(d1, dy2, d2, dy1) << x_up, quick.reciprocal);
-        let y = mul_high(numerator(d2, dx1, d1, dx2) << y_up, quick.reciprocal);
-        let scaled = |quotient: i32, down: i32| {
-            if down >= 0 {
-                (quotient >> down) as u32
-            } else {
-                (quotient as u32) << -down
-            }
-        };
+        let Quick {
+            reciprocal,
+            along_row,
+            along_column,
+        } = *quick;
+        let x = mul_high(numerator(d1, dy2, d2, dy1) << along_row.up, reciprocal);
+        let y = mul_high(numerator(d2, dx1, d1, dx2) << along_column.up, reciprocal);
+        let scaled = |quotient: i32, shifts: Shifts| ((quotient << shifts.left) >> shifts.right) as u32;
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below 2^30.
         let [to_x, to_y] = self.to_anchor;
-        Some(Plane {
+        Plane {
             anchor: ((a as u32) << 16)
                 .wrapping_add(1 << 15)
-                .wrapping_add(scaled((x >> S::BITS) * to_x, x_down))
-                .wrapping_add(scaled((y >> S::BITS) * to_y, y_down)),
-            per_column: scaled(x, x_down),
-            per_row: scaled(y, y_down),
-        })
+                .wrapping_add(scaled((x >> S::BITS) * to_x, along_row))
+                .wrapping_add(scaled((y >> S::BITS) * to_y, along_column)),
+            per_column: scaled(x, along_row),
+            per_row: scaled(y, along_column),
+        }
     }
 }
 
 impl Quick {
+    /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and for those so thin and
+    /// long that the bits their gradients lack would add up.
     #[inline(always)]
-    fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Self {
+    fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Option<Self> {
+        if S::BITS > 4 && (width | height) >> 15 != 0 {
+            return None;
+        }
         let reciprocal = Reciprocal::of(area as u32);
-        // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted up by k, add up to less
-        // than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k n <= 2^10.
         let height_zeros = leading_zeros(height as u32) as i32;
         let width_zeros = leading_zeros(width as u32) as i32;
-        let shift_limit = if S::BITS > 4 && (width | height) >> 15 != 0 {
-            // Numerators need more than 32 bits.
-            i32::MAX
-        } else {
-            // Width and height are both below 2^(32 - zeros) sub-pixels, and n below twice as many pixels.
-            23 - S::BITS as i32 - height_zeros.min(width_zeros)
-        };
-        Self {
-            reciprocal: reciprocal.mantissa,
-            area_zeros: reciprocal.leading_zeros as i32,
-            height_zeros,
-            width_zeros,
-            shift_limit,
+        // Numerators are below 2^16 times the extent, so that they can be shifted up by its leading zeros less 17.
+        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), which is shifted by 5
+        // at most to the right, as an area is not larger than width times height.
+        let base = 14 - S::BITS as i32 - reciprocal.leading_zeros as i32;
+        let (row_up, column_up) = (height_zeros - 17, width_zeros - 17);
+        let (row_down, column_down) = (base + row_up, base + column_up);
+        // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted left by k, add up to less
+        // than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k n <= 2^10. Width and height are both below
+        // 2^(32 - zeros) sub-pixels, and n below twice as many pixels.
+        let limit = 23 - S::BITS as i32 - height_zeros.min(width_zeros);
+        if row_down.min(column_down) < limit {
+            return None;
         }
+        let shifts = |up: i32, down: i32| Shifts {
+            up: up as u32,
+            left: (-down).max(0) as u32,
+            right: down.max(0) as u32,
+        };
+        Some(Self {
+            reciprocal: reciprocal.mantissa,
+            along_row: shifts(row_up, row_down),
+            along_column: shifts(column_up, column_down),
+        })
     }
 }
 
@@ -287,8 +290,8 @@ impl Interpolate for u16 {
 
     #[inline(always)]
     fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<u32> {
-        match setup.quick_plane(corners) {
-            Some(plane) => plane,
+        match &setup.quick {
+            Some(quick) => setup.quick_plane(quick, corners),
             None => setup.exact_plane(corners),
         }
     }
