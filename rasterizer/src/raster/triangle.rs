@@ -96,12 +96,12 @@ where
     // The long edge stays; the short one on the other side gives way to the next at the middle corner's row.
     let long = Edge::new(at(top), at(bottom), first_row, S::BITS);
     let (mut left, mut right) = (long, long);
-    let halves = [(top, middle, middle_row.min(end_row)), (middle, bottom, end_row)];
     let mut row = first_row;
-    for (upper, lower, half_end) in halves {
-        if row >= half_end {
-            continue;
-        }
+    let (mut upper, mut lower, mut half_end) = (top, middle, middle_row.min(end_row));
+    if row >= half_end {
+        (upper, lower, half_end) = (middle, bottom, end_row);
+    }
+    loop {
         let short = Edge::new(at(upper), at(lower), row, S::BITS);
         if middle_is_right {
             right = short;
@@ -122,8 +122,11 @@ where
             right.step();
             row += 1;
         }
+        if row == end_row {
+            return Ok(());
+        }
+        (upper, lower, half_end) = (middle, bottom, end_row);
     }
-    Ok(())
 }
 
 #[cfg(test)]
