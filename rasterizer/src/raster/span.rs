@@ -30,6 +30,12 @@ impl Window {
         }
     }
 
+    /// Whether there is no pixel in it.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.left >= self.right || self.top >= self.bottom
+    }
+
     /// The pixels in both.
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {

@@ -76,11 +76,15 @@ where
     /// What the target says, at once.
     pub fn draw<T: Target<Color = Sh::Color, Depth = D>>(&self, target: &mut T) -> Result<(), T::Error> {
         let window = target.window().intersection(&self.viewport);
+        if window.is_empty() {
+            return Ok(());
+        }
+        let rows = Rows::of::<S>(&window);
         let mut first = 0;
         for material in self.tables.materials {
             let end = first + material.triangle_count as usize;
             let surface = self.shader.surface(material);
-            self.for_each_visible(first..end, |index, corners, area| {
+            self.for_each_visible(first..end, rows, |index, corners, area| {
                 let mut pixels = Pixels {
                     shader: &self.shader,
                     surface: &surface,
@@ -105,20 +109,21 @@ where
         &self,
         mut visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3]) -> Result<(), E>,
     ) -> Result<(), E> {
-        self.for_each_visible(0..self.tables.triangles.len(), |index, corners, _| {
+        self.for_each_visible(0..self.tables.triangles.len(), Rows::ALL, |index, corners, _| {
             visit(index, corners)
         })
     }
 
-    /// The same for a range of the mesh's triangles, with their signed areas.
+    /// The same for a range of the mesh's triangles, as far as they may reach `rows`, with their signed areas.
     fn for_each_visible<E>(
         &self,
         range: Range<usize>,
+        rows: Rows,
         visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3], i64) -> Result<(), E>,
     ) -> Result<(), E> {
         match self.tables.triangles {
-            Triangles::U8(triangles) => self.for_each_indexed(triangles, range, visit),
-            Triangles::U16(triangles) => self.for_each_indexed(triangles, range, visit),
+            Triangles::U8(triangles) => self.for_each_indexed(triangles, range, rows, visit),
+            Triangles::U16(triangles) => self.for_each_indexed(triangles, range, rows, visit),
         }
     }
 
@@ -128,9 +133,13 @@ where
         &self,
         triangles: &[[I; 3]],
         range: Range<usize>,
+        rows: Rows,
         mut visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3], i64) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut unless_culled = |index, corners: [&ScreenVertex<S, D, Sh::Varyings>; 3]| {
+            if rows.are_missed_by(corners.map(|corner| corner.y)) {
+                return Ok(());
+            }
             let area = signed_area(corners);
             // Counter-clockwise is negative, as y runs downwards.
             if (area < 0 && K::FRONT) || (area > 0 && K::BACK) {
@@ -173,6 +182,36 @@ where
             .iter()
             .map(|&vertex| self.transform.clip_to_screen(vertex))
             .collect()
+    }
+}
+
+/// Rows of pixels, by their first and last centre in sub-pixels.
+#[derive(Clone, Copy, Debug)]
+struct Rows {
+    first: i32,
+    last: i32,
+}
+
+impl Rows {
+    const ALL: Self = Self {
+        first: i32::MIN,
+        last: i32::MAX,
+    };
+
+    /// Those of a window that is not empty.
+    const fn of<S: Subpixel>(window: &Window) -> Self {
+        let half = 1 << (S::BITS - 1);
+        Self {
+            first: (window.top << S::BITS) + half,
+            last: ((window.bottom - 1) << S::BITS) + half,
+        }
+    }
+
+    /// Whether a triangle with corners at these heights ends above all centres or begins below: most of a mesh's
+    /// triangles do so in most of a frame's bands.
+    #[inline(always)]
+    const fn are_missed_by(self, [a, b, c]: [i32; 3]) -> bool {
+        (a < self.first && b < self.first && c < self.first) || (a > self.last && b > self.last && c > self.last)
     }
 }
 
