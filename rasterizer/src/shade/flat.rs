@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 
-use super::{Light, MeshFace, MeshVertex, Ramp, RequiredTables, Shader};
+use super::{Light, MeshFace, MeshVertex, Ramp, RequiredTables, Shader, lit::Lit};
 use crate::{geometry::Pose, mesh::Material};
 
 /// The material's colour, unlit.
@@ -46,10 +46,7 @@ impl<C: PixelColor + From<Rgb888>> Shader for Unlit<C> {
 
 /// The material's colour, lit by the normal of the triangle. Needs [`face_normals`](crate::mesh::Tables::face_normals).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Flat<C, const LEVELS: usize = 64> {
-    light: Light,
-    color: PhantomData<C>,
-}
+pub struct Flat<C, const LEVELS: usize = 64>(Lit<C, LEVELS>);
 
 impl<C> Flat<C> {
     /// Lit by `light`, in 64 levels.
@@ -63,16 +60,13 @@ impl<C, const LEVELS: usize> Flat<C, LEVELS> {
     /// Lit by `light`, in `LEVELS` levels, a power of two.
     #[must_use]
     pub const fn with_levels(light: Light) -> Self {
-        Self {
-            light,
-            color: PhantomData,
-        }
+        Self(Lit::by(light))
     }
 
     /// Its light.
     #[must_use]
     pub const fn light(&self) -> &Light {
-        &self.light
+        &self.0.light
     }
 }
 
@@ -87,11 +81,11 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Flat<C, LEVEL
     };
 
     fn in_object_space(&self, pose: &Pose) -> Self {
-        Self::with_levels(self.light.in_object_space(pose))
+        Self(self.0.in_object_space(pose))
     }
 
     fn surface(&self, material: &Material) -> Self::Surface {
-        Ramp::between(Rgb888::new(0, 0, 0), material.rgb())
+        Lit::ramp(material)
     }
 
     #[inline(always)]
@@ -101,7 +95,7 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Flat<C, LEVEL
 
     #[inline(always)]
     fn face(&self, surface: &Self::Surface, face: &MeshFace<'_>) -> Option<C> {
-        Some(surface.nearest(self.light.level(face.normal())))
+        Some(surface.nearest(self.0.light.level(face.normal())))
     }
 
     #[inline(always)]

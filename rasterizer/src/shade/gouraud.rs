@@ -1,11 +1,9 @@
 //! Light worked out at the vertices and interpolated between them.
 
-use core::marker::PhantomData;
-
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 use fixed::types::U16F16;
 
-use super::{Light, MeshVertex, Ramp, RequiredTables, Shader};
+use super::{Light, MeshVertex, Ramp, RequiredTables, Shader, lit::Lit};
 use crate::{geometry::Pose, mesh::Material};
 
 /// The material's colour, lit at the vertices (Gouraud, *Continuous Shading of Curved Surfaces*, 1971). Needs
@@ -14,10 +12,7 @@ use crate::{geometry::Pose, mesh::Material};
 /// The level is interpolated linearly on the screen, not in space: over a triangle whose corners' distances from the
 /// camera differ by a factor r, it is off by at most (√r - 1) / (√r + 1) of the difference between the corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Gouraud<C, const LEVELS: usize = 64> {
-    light: Light,
-    color: PhantomData<C>,
-}
+pub struct Gouraud<C, const LEVELS: usize = 64>(Lit<C, LEVELS>);
 
 impl<C> Gouraud<C> {
     /// Lit by `light`, in 64 levels.
@@ -31,10 +26,7 @@ impl<C, const LEVELS: usize> Gouraud<C, LEVELS> {
     /// Lit by `light`, in `LEVELS` levels, a power of two.
     #[must_use]
     pub const fn with_levels(light: Light) -> Self {
-        Self {
-            light,
-            color: PhantomData,
-        }
+        Self(Lit::by(light))
     }
 }
 
@@ -50,16 +42,16 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LE
     };
 
     fn in_object_space(&self, pose: &Pose) -> Self {
-        Self::with_levels(self.light.in_object_space(pose))
+        Self(self.0.in_object_space(pose))
     }
 
     fn surface(&self, material: &Material) -> Self::Surface {
-        Ramp::between(Rgb888::new(0, 0, 0), material.rgb())
+        Lit::ramp(material)
     }
 
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 1] {
-        [Ramp::<C, LEVELS>::varying(self.light.level(vertex.normal()))]
+        [Ramp::<C, LEVELS>::varying(self.0.light.level(vertex.normal()))]
     }
 
     #[inline(always)]

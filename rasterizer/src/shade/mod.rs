@@ -9,6 +9,7 @@
 mod flat;
 mod gouraud;
 mod light;
+mod lit;
 mod ramp;
 
 use embedded_graphics_core::pixelcolor::PixelColor;

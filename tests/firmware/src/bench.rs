@@ -16,9 +16,9 @@ use rasterizer::{
     geometry::{Pose, ScreenVertex, Subpixel},
     mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
-    scene::Object,
+    scene::{Object, Projected},
     shade::{Flat, Gouraud, Level, Light, Shader},
-    target::Frame,
+    target::{DepthBuffer, Frame},
 };
 
 use crate::{console, memory::Memory, models};
@@ -104,13 +104,7 @@ fn scene<S: Subpixel, Sh: Shader<Color = Rgb565>>(
         for area in halves() {
             color.fill(Rgb565::BLACK);
             let mut frame = Frame::new(color, depth, area).unwrap_or_else(fail);
-            let start = ticks();
-            frame.clear_depth();
-            total.clear += since(start, ticks);
-            let start = ticks();
-            let Ok(()) = seen.draw(&mut frame);
-            total.triangles += since(start, ticks);
-            total.count(&frame);
+            total.measure(&seen, &mut frame, ticks);
         }
     }
     total.report(name);
@@ -133,10 +127,7 @@ fn convex<S: Subpixel, Sh: Shader<Color = Rgb565>>(
         for area in halves() {
             color.fill(Rgb565::BLACK);
             let mut frame = Frame::without_depth(color, area).unwrap_or_else(fail);
-            let start = ticks();
-            let Ok(()) = seen.draw(&mut frame);
-            total.triangles += since(start, ticks);
-            total.count(&frame);
+            total.measure(&seen, &mut frame, ticks);
         }
     }
     total.report(name);
@@ -156,7 +147,19 @@ struct Cost {
 }
 
 impl Cost {
-    fn count<B: rasterizer::target::DepthBuffer>(&mut self, frame: &Frame<'_, Rgb565, B>) {
+    /// Clears the depth, draws, and counts the pixels.
+    fn measure<S: Subpixel, Sh: Shader<Color = Rgb565>, B: DepthBuffer>(
+        &mut self,
+        seen: &Projected<'_, '_, Perspective, S, B::Format, Sh>,
+        frame: &mut Frame<'_, Rgb565, B>,
+        ticks: fn() -> u32,
+    ) {
+        let start = ticks();
+        frame.clear_depth();
+        self.clear += since(start, ticks);
+        let start = ticks();
+        let Ok(()) = seen.draw(frame);
+        self.triangles += since(start, ticks);
         self.pixels += frame.pixels().iter().filter(|&&p| p != Rgb565::BLACK).count() as u32;
     }
 
