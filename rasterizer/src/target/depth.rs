@@ -71,12 +71,13 @@ impl<D: DepthFormat + Interpolate + PartialOrd + 'static> DepthBuffer for &mut [
         self.get_mut(start..end).map(<[D]>::iter_mut)
     }
 
+    #[inline(never)]
     fn clear(&mut self) {
         // One instruction a cell. Known to be zero it would become a call of `memset`, which on a microcontroller takes two.
         let zero = core::hint::black_box(D::ZERO);
         let (runs, rest) = self.as_chunks_mut::<16>();
         for run in runs {
-            *run = [zero; 16];
+            run.iter_mut().for_each(|cell| *cell = zero);
         }
         for cell in rest {
             *cell = zero;
