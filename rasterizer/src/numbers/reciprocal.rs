@@ -30,7 +30,7 @@ const SEED: [u8; 128] = {
 };
 
 impl Reciprocal {
-    /// 2<sup>-27</sup>; the largest that occurs, over all mantissas, is 2<sup>-27.3</sup>.
+    /// 2<sup>-27</sup>; the largest that occurs, over all mantissas, is 2<sup>-27.2</sup>.
     #[cfg(test)]
     pub(crate) const MAX_RELATIVE_ERROR: f64 = 1.0 / (1u64 << 27) as f64;
 
@@ -71,7 +71,7 @@ const fn mantissa(m: u32) -> i32 {
     let r1 = (r0 * (((1 << 25) - r0 * m16) >> 3)) >> 14;
     // m r1 in Q31, near 1: from the exact 48-bit product without its lowest 16 bits.
     let product = (m >> 16) * r1 + (((m & 0xFFFF) * r1) >> 16);
-    // 1 - m r1 in Q28, at most 2^-13.9.
+    // 1 - m r1 in Q28, at most 2^-14.2: the product with r1 fits 32 bits.
     let error = ((1u32 << 31).wrapping_sub(product) as i32) >> 3;
     // r2 = r1 + r1 (1 - m r1): Q30, and Q15 x Q28 >> 13 = Q30.
     // A Newton step ends below the reciprocal, so that the largest, that of 2^31, stays below 2^31.

@@ -100,14 +100,14 @@ fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     }
 }
 
-/// `below * remainder / dy` rounded down to less than a pixel's sub-pixels below it, for factors up to dy < 2^20.
+/// ⌊`below * remainder / dy`⌋, for factors up to dy < 2^20.
 #[cold]
 #[inline(never)]
 fn scaled(below: i32, remainder: i32, dy: i32) -> i32 {
     if dy < 1 << 15 {
         return (below as u32 * remainder as u32).checked_div(dy as u32).unwrap_or(0) as i32;
     }
-    // The long division of the definition, whose product would not fit, by 11 digits of `below` at a time: with
+    // Long division, as the product would not fit, by 11 digits of `below` at a time: with
     // below = high 2^11 + low the rest of the first step is below dy, and rest 2^11 + low remainder below 2^32.
     let (high, low) = (below as u32 >> 11, below as u32 & 0x7FF);
     let (remainder, dy) = (remainder as u32, dy as u32);

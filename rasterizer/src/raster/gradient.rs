@@ -258,7 +258,7 @@ impl Quick {
         let height_zeros = leading_zeros(height as u32) as i32;
         let width_zeros = leading_zeros(width as u32) as i32;
         // Numerators are below 2^16 times the extent, so that they can be shifted up by its leading zeros less 17.
-        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), which is shifted by 5
+        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), which is shifted by 8
         // at most to the right, as an area is not larger than width times height.
         let base = 14 - S::BITS as i32 - reciprocal.leading_zeros as i32;
         let (row_up, column_up) = (height_zeros - 17, width_zeros - 17);
