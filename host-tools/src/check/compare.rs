@@ -70,13 +70,14 @@ impl Outcome {
             && found.color_max_error <= bounds.color_max_error
     }
 
-    /// A number that is larger for the worse of two frames: by coverage, then colour, then depth, of the arithmetic
-    /// first.
+    /// Numbers that are larger for the worse of two frames: whether a bound is exceeded, then coverage, colour and depth,
+    /// of the arithmetic first.
     #[must_use]
-    pub fn badness(&self) -> [f64; 6] {
+    pub fn badness(&self) -> [f64; 7] {
+        let exceeds = f64::from(u8::from(!self.is_within(&Bounds::ARITHMETIC)));
         let of = |c: &Comparison| [c.coverage_mismatches as f64, c.color_max_error, c.depth_max_ulp];
         let ([a, b, c], [d, e, f]) = (of(&self.arithmetic), of(&self.end_to_end));
-        [a, b, c, d, e, f]
+        [exceeds, a, b, c, d, e, f]
     }
 }
 

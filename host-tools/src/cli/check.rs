@@ -146,12 +146,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
 /// Checks every frame of the turntable and keeps the worst: one that exceeds a bound, if there is any.
 pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) -> Result<Worst> {
     let progress = Progress::over(frames, "checking");
-    let badness = |outcome: &Outcome| (!outcome.is_within(&Bounds::ARITHMETIC), outcome.badness());
     let mut worst: Option<Worst> = None;
     for frame in 0..frames {
         let checked =
             check::check(model, &view.turned(frame, frames)).map_err(|error| render::refused(path, &error))?;
-        let is_worse = |worst: &Worst| badness(&checked.outcome) > badness(&worst.checked.outcome);
+        let is_worse = |worst: &Worst| checked.outcome.badness() > worst.checked.outcome.badness();
         if shows_something(&checked.outcome) && worst.as_ref().is_none_or(is_worse) {
             worst = Some(Worst { frame, checked });
         }
