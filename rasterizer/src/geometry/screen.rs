@@ -60,7 +60,7 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
     }
 
     /// From its coordinates in sub-pixels from the display's top-left corner; nothing unless they lie within
-    /// -1,024 <= x, y < 1,024 pixels, which is what [`draw_triangle`](crate::raster::draw_triangle) is exact for.
+    /// -1,024 <= x, y < 1,024 pixels, which is what [`Triangle`](crate::raster::Triangle) is exact for.
     #[must_use]
     pub const fn checked(x: i32, y: i32, depth: D, varyings: V) -> Option<Self> {
         let limit = 1 << (GUARD_BITS + S::BITS);

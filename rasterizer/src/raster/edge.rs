@@ -17,53 +17,53 @@
 //! boundary moves by q pixels and E by -r, and by one more pixel where that makes E negative. Nothing is ever rounded,
 //! and no value needs more than 32 bits at any sub-pixel precision.
 
+use crate::geometry::Subpixel;
+
 /// An edge on its way down the rows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    /// The boundary in the current row.
+    /// The address of the boundary in the current row.
     pub(super) boundary: i32,
     /// The edge function at the boundary's centre, without its S lowest bits: from 0 to dy - 1.
     function: i32,
-    /// By how many pixels the boundary moves at least from a row to the next: ⌊dx / dy⌋.
-    columns: i32,
+    /// By how many pixels the boundary's address moves at least from a row to the next: ⌊dx / dy⌋ and the pitch.
+    stride: i32,
     /// What the edge function loses by that: dx mod dy.
     remainder: i32,
     dy: i32,
 }
 
 impl Edge {
-    /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below `top`.
+    /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below `top`. The row's
+    /// column 0 has the address `row_address`, and that of the next row lies `pitch` further.
     ///
-    /// Coordinates are sub-pixels with `bits` binary digits, the edge's extents below 2^(12 + `bits`).
+    /// Coordinates are sub-pixels, the edge's extents below 2^(12 + S).
     #[inline(always)]
-    pub(super) fn new(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> Self {
-        let half = 1 << (bits - 1);
+    pub(super) fn new<S: Subpixel>(top: [i32; 2], bottom: [i32; 2], row: i32, row_address: i32, pitch: i32) -> Self {
+        let half = 1 << (S::BITS - 1);
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
         let (columns, remainder) = floor_divide(dx, dy);
-        // The row's centre below the upper end, and the edge's x there from the first column's centre, in sub-pixels.
-        let below = (row << bits) + half - top[1];
-        let start = top[0] - half;
-        let mut along = below * columns;
-        if below >> bits != 0 {
-            along += scaled(below, remainder, dy);
+        // The row's centre below the upper end, and the edge's x there from the first column's centre, in sub-pixels, but
+        // for the last `rest` / dy of it.
+        let below = (row << S::BITS) + half - top[1];
+        let mut x = top[0] - half + below * columns;
+        let mut rest = below.wrapping_mul(remainder);
+        if below >> S::BITS != 0 {
+            let whole = scaled(below, remainder, dy);
+            x += whole;
+            rest = rest.wrapping_sub(whole.wrapping_mul(dy));
         }
-        // A guess that is too far left by two pixels at most: one for what `along` leaves out, one for rounding down.
-        // Its edge function is exact modulo 2^32 and, so near the edge, small.
-        let mut boundary = (start + along) >> bits;
-        let from_edge = ((boundary << bits) - start).wrapping_mul(dy);
-        let mut function = from_edge.wrapping_sub(below.wrapping_mul(dx)) >> bits;
+        // At the first centre from x on the edge function is below 2^S dy, and `rest` takes at most as much off.
+        let mut column = (x + 2 * half - 1) >> S::BITS;
+        let mut function = (((column << S::BITS) - x) * dy - rest) >> S::BITS;
         if function < 0 {
-            boundary += 1;
-            function += dy;
-        }
-        if function < 0 {
-            boundary += 1;
+            column += 1;
             function += dy;
         }
         Self {
-            boundary,
+            boundary: row_address + column,
             function,
-            columns,
+            stride: columns + pitch,
             remainder,
             dy,
         }
@@ -72,7 +72,7 @@ impl Edge {
     /// On to the next row.
     #[inline(always)]
     pub(super) const fn step(&mut self) {
-        self.boundary += self.columns;
+        self.boundary += self.stride;
         self.function -= self.remainder;
         if self.function < 0 {
             self.boundary += 1;
@@ -84,12 +84,10 @@ impl Edge {
 /// ⌊dx / dy⌋ and the rest, for dy > 0. Most edges are steeper than 45 degrees or near it: no division for them.
 #[inline(always)]
 fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
-    if dx >= 0 {
-        if dx < dy {
-            return (0, dx);
-        }
-    } else if dx >= -dy {
-        return (-1, dx + dy);
+    let is_left = dx >> 31;
+    let rest = dx + (dy & is_left);
+    if (rest as u32) < dy as u32 {
+        return (is_left, rest);
     }
     let quotient = dx.unsigned_abs().checked_div(dy as u32).unwrap_or(0) as i32;
     let rest = dx.abs() - quotient * dy;
@@ -120,6 +118,7 @@ fn scaled(below: i32, remainder: i32, dy: i32) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::geometry::{S4, S8};
 
     /// The boundary by its definition.
     fn boundary(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> i32 {
@@ -132,20 +131,28 @@ mod tests {
         least as i32
     }
 
+    fn edge(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> Edge {
+        if bits == 4 {
+            Edge::new::<S4>(top, bottom, row, 0, 0)
+        } else {
+            Edge::new::<S8>(top, bottom, row, 0, 0)
+        }
+    }
+
     fn check(top: [i32; 2], bottom: [i32; 2], bits: u32) {
         let half = 1 << (bits - 1);
         let rows = (top[1] + half - 1) >> bits..(bottom[1] + half - 1) >> bits;
         if rows.is_empty() {
             return;
         }
-        let mut walking = Edge::new(top, bottom, rows.start, bits);
+        let mut walking = edge(top, bottom, rows.start, bits);
         let stride = (rows.len() / 5).max(1);
         for (n, row) in rows.enumerate() {
             let want = boundary(top, bottom, row, bits);
             assert_eq!(walking.boundary, want, "{top:?} to {bottom:?}, row {row}, walked");
             assert!((0..walking.dy).contains(&walking.function));
             if n % stride == 0 {
-                let jumped = Edge::new(top, bottom, row, bits);
+                let jumped = edge(top, bottom, row, bits);
                 assert_eq!(jumped.boundary, want, "{top:?} to {bottom:?}, row {row}, jumped");
                 assert_eq!(jumped.function, walking.function);
             }

@@ -14,9 +14,9 @@
 //! # Error
 //!
 //! An attribute of 16 bits is stepped with 16 more bits behind the point. Over a triangle that spans n pixels in x and y
-//! together its value at a centre is within 1/4 + n / 2^16 + 2^S / 2^16 units of the exact plane, before it is rounded to
-//! the nearest: the reciprocal's 27 bits are enough for that unless a triangle is thin and steep, and then the gradient is
-//! divided exactly. An attribute of 32 bits is stepped with 18 more bits, always divided exactly: n / 2^18 units.
+//! together its value at a centre is within 1/4 + 3/2 n / 2^16 + 2^S / 2^16 units of the exact plane, before it is rounded
+//! to the nearest: the reciprocal's 27 bits are enough for that unless a triangle is thin and steep, and then the gradient
+//! is divided exactly. An attribute of 32 bits is stepped with 18 more bits, always divided exactly: n / 2^18 units.
 //!
 //! Gradients of slivers can be astronomical. Steps wrap modulo 2^32, and at a covered centre the value is back between
 //! those of the corners, so that it comes out right: it is sampled there and nowhere else.
@@ -128,7 +128,9 @@ pub struct TriangleSetup<S> {
     /// From the first corner to the second and the third, in sub-pixels.
     dx: [i32; 2],
     dy: [i32; 2],
-    /// The doubled area in square sub-pixels, over 0.
+    /// Whether dx1 dy2 - dx2 dy1 is positive.
+    is_positive: bool,
+    /// The doubled area in square sub-pixels, of either sign.
     area: i64,
     /// From the first corner to the anchor's centre, in sub-pixels: at most half a pixel.
     to_anchor: [i32; 2],
@@ -137,35 +139,28 @@ pub struct TriangleSetup<S> {
     precision: PhantomData<S>,
 }
 
-/// Gradients by the reciprocal of the area.
+/// Gradients by the reciprocal of the area: `((numerator << up) * reciprocal / 2^32) << left`.
 #[derive(Clone, Copy, Debug)]
 struct Quick {
     reciprocal: i32,
-    along_row: Shifts,
-    along_column: Shifts,
-}
-
-/// How a numerator becomes a gradient: `((numerator << up) * reciprocal / 2^32) << left >> right`.
-#[derive(Clone, Copy, Debug)]
-struct Shifts {
     up: u32,
     left: u32,
-    right: u32,
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
-    /// For corners in the order that makes the doubled `area` positive. `width` and `height` are the extents of the
-    /// triangle in sub-pixels.
+    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in this order. `width`
+    /// is the extent of the triangle in sub-pixels.
     #[inline(always)]
-    pub(super) fn new([a, b, c]: [[i32; 2]; 3], area: i64, width: i32, height: i32) -> Self {
+    pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64, width: i32) -> Self {
         let half = 1 << (S::BITS - 1);
         Self {
             dx: [b[0] - a[0], c[0] - a[0]],
             dy: [b[1] - a[1], c[1] - a[1]],
+            is_positive,
             area,
             // The centre of the pixel that holds the first corner.
             to_anchor: a.map(|c| half - (c & (2 * half - 1))),
-            quick: Quick::new::<S>(area, width, height),
+            quick: Quick::new::<S>(area, is_positive, (width | (c[1] - a[1])) as u32),
             precision: PhantomData,
         }
     }
@@ -174,7 +169,7 @@ impl<S: Subpixel> TriangleSetup<S> {
     #[cold]
     #[inline(never)]
     fn exact_plane(self, [a, b, c]: [u16; 3]) -> Plane<u32> {
-        let divisor = Divisor::new(self.area as u64);
+        let divisor = Divisor::new(self.area.unsigned_abs());
         let gradient = |numerator: i64| divisor.divide(numerator << (16 + S::BITS)).0;
         let [x, y] = self.numerators([a, b, c].map(i64::from)).map(gradient);
         let anchor = self.anchor((i64::from(a) << 16) + (1 << 15), x, y);
@@ -187,7 +182,7 @@ impl<S: Subpixel> TriangleSetup<S> {
 
     /// Exactly: gradients in Q18, modulo 2^64, of an attribute of 32 bits.
     fn exact_wide_plane(&self, [a, b, c]: [u32; 3]) -> Plane<u64> {
-        let divisor = Divisor::new(self.area as u64);
+        let divisor = Divisor::new(self.area.unsigned_abs());
         // Numerators are below 2^51, so that 18 + S digits behind the point take two steps.
         let gradient = |numerator: i64| {
             let (upper, rest) = divisor.divide(numerator << 10);
@@ -207,7 +202,8 @@ impl<S: Subpixel> TriangleSetup<S> {
         let [dx1, dx2] = self.dx.map(i64::from);
         let [dy1, dy2] = self.dy.map(i64::from);
         let (d1, d2) = (b - a, c - a);
-        [d1 * dy2 - d2 * dy1, d2 * dx1 - d1 * dx2]
+        let numerators = [d1 * dy2 - d2 * dy1, d2 * dx1 - d1 * dx2];
+        numerators.map(|n| if self.is_positive { n } else { -n })
     }
 
     /// The value at the anchor's centre, exact in all but its S uppermost bits.
@@ -225,60 +221,53 @@ impl<S: Subpixel> TriangleSetup<S> {
         let [dy1, dy2] = self.dy;
         // Products may wrap, their difference does not.
         let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let Quick {
-            reciprocal,
-            along_row,
-            along_column,
-        } = *quick;
-        let x = mul_high(numerator(d1, dy2, d2, dy1) << along_row.up, reciprocal);
-        let y = mul_high(numerator(d2, dx1, d1, dx2) << along_column.up, reciprocal);
-        let scaled = |quotient: i32, shifts: Shifts| ((quotient << shifts.left) >> shifts.right) as u32;
+        let Quick { reciprocal, up, left } = *quick;
+        let x = mul_high(numerator(d1, dy2, d2, dy1) << up, reciprocal);
+        let y = mul_high(numerator(d2, dx1, d1, dx2) << up, reciprocal);
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below 2^30.
         let [to_x, to_y] = self.to_anchor;
+        let to_anchor = (x >> S::BITS) * to_x + (y >> S::BITS) * to_y;
         Plane {
             anchor: ((a as u32) << 16)
                 .wrapping_add(1 << 15)
-                .wrapping_add(scaled((x >> S::BITS) * to_x, along_row))
-                .wrapping_add(scaled((y >> S::BITS) * to_y, along_column)),
-            per_column: scaled(x, along_row),
-            per_row: scaled(y, along_column),
+                .wrapping_add((to_anchor << left) as u32),
+            per_column: (x << left) as u32,
+            per_row: (y << left) as u32,
         }
     }
 }
 
 impl Quick {
     /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and for those so thin and
-    /// long that the bits their gradients lack would add up.
+    /// long that the bits their gradients lack would add up. `extent` has no fewer bits than width and height.
     #[inline(always)]
-    fn new<S: Subpixel>(area: i64, width: i32, height: i32) -> Option<Self> {
-        if S::BITS > 4 && (width | height) >> 15 != 0 {
+    fn new<S: Subpixel>(area: i64, is_positive: bool, extent: u32) -> Option<Self> {
+        if S::BITS > 4 && extent >> 15 != 0 {
             return None;
         }
-        let reciprocal = Reciprocal::of(area as u32);
-        let height_zeros = leading_zeros(height as u32) as i32;
-        let width_zeros = leading_zeros(width as u32) as i32;
-        // Numerators are below 2^16 times the extent, so that they can be shifted up by its leading zeros less 17.
-        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), which is shifted by 8
-        // at most to the right, as an area is not larger than width times height.
-        let base = 14 - S::BITS as i32 - reciprocal.leading_zeros as i32;
-        let (row_up, column_up) = (height_zeros - 17, width_zeros - 17);
-        let (row_down, column_down) = (base + row_up, base + column_up);
+        let reciprocal = Reciprocal::of((area as i32).unsigned_abs());
+        let (zeros, area_zeros) = (leading_zeros(extent), reciprocal.leading_zeros);
         // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted left by k, add up to less
         // than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k n <= 2^10. Width and height are both below
         // 2^(32 - zeros) sub-pixels, and n below twice as many pixels.
-        let limit = 23 - S::BITS as i32 - height_zeros.min(width_zeros);
-        if row_down.min(column_down) < limit {
+        if 2 * zeros < 26 + area_zeros {
             return None;
         }
-        let shifts = |up: i32, down: i32| Shifts {
-            up: up as u32,
-            left: (-down).max(0) as u32,
-            right: down.max(0) as u32,
+        // Numerators are below 2^16 times the extent, so that they can be shifted up by its leading zeros less 17.
+        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), which is shifted by 8
+        // at most to the right, as an area is not larger than width times height. There the reciprocal is shifted instead,
+        // once: its lost last bit makes up to half a last bit of a gradient, as a shifted numerator is below 2^31.
+        let up = zeros - 17;
+        let right = 14 + up as i32 - S::BITS as i32 - area_zeros as i32;
+        let mantissa = if is_positive {
+            reciprocal.mantissa
+        } else {
+            -reciprocal.mantissa
         };
         Some(Self {
-            reciprocal: reciprocal.mantissa,
-            along_row: shifts(row_up, row_down),
-            along_column: shifts(column_up, column_down),
+            reciprocal: mantissa >> right.max(0),
+            up,
+            left: (-right).max(0) as u32,
         })
     }
 }

@@ -6,7 +6,8 @@
 //! stepped from row to row without any rounding (edge).
 //!
 //! Attributes are planes over the screen, set up from the snapped vertices, evaluated at covered centres only
-//! (gradient). This module knows nothing of colours, buffers and displays: it hands [`Span`]s to a [`SpanSink`].
+//! (gradient). This module knows nothing of colours, buffers and displays: a [`Triangle`] visits its
+//! [`Span`]s.
 
 mod edge;
 mod gradient;
@@ -14,5 +15,5 @@ mod span;
 mod triangle;
 
 pub use gradient::{Interpolate, Plane, Step, TriangleSetup};
-pub use span::{Span, SpanSink, Window};
-pub use triangle::{draw_triangle, signed_area};
+pub use span::{Layout, Span, Window};
+pub use triangle::{Triangle, signed_area};

@@ -48,14 +48,23 @@ impl Window {
     }
 }
 
+/// Where the pixels of a display lie in a row of addresses: at `row * pitch + column - origin`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Layout {
+    /// The addresses from a row to the next.
+    pub pitch: i32,
+    /// What the addresses of the display's first pixel lie before address 0.
+    pub origin: i32,
+}
+
 /// Covered pixels of one row, with the attributes at the first one's centre and their change from pixel to pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span<D: Interpolate, V: Interpolate> {
     /// The row, from the display's upper edge.
     pub row: i32,
-    /// The first column, from the display's left edge.
+    /// The first pixel's address.
     pub start: i32,
-    /// The column after the last; always beyond `start`.
+    /// The address after the last pixel's; always beyond `start`.
     pub end: i32,
     /// The depth at the first pixel.
     pub depth: D::Accumulator,
@@ -65,17 +74,4 @@ pub struct Span<D: Interpolate, V: Interpolate> {
     pub varyings: V::Accumulator,
     /// The change of the varyings from a pixel to the one on its right.
     pub varyings_step: V::Accumulator,
-}
-
-/// Takes the spans of a triangle, row by row from the top.
-pub trait SpanSink<D: Interpolate, V: Interpolate> {
-    /// What can go wrong with taking one.
-    type Error;
-
-    /// Takes a span.
-    ///
-    /// # Errors
-    ///
-    /// Whatever the sink's drawing ends in; the triangle is then left unfinished.
-    fn span(&mut self, span: &Span<D, V>) -> Result<(), Self::Error>;
 }

@@ -8,7 +8,7 @@ use heapless::Vec;
 use crate::{
     geometry::{CullBack, Culling, DepthFormat, MAX_CORNERS, Projection, ScreenVertex, Subpixel, Transform, clip},
     mesh::{Tables, Triangles},
-    raster::{Interpolate, Span, SpanSink, Window, draw_triangle, signed_area},
+    raster::{Interpolate, Triangle, Window, signed_area},
     shade::{MeshFace, MeshVertex, Shader},
     target::Target,
 };
@@ -85,13 +85,11 @@ where
             let end = first + material.triangle_count as usize;
             let surface = self.shader.surface(material);
             self.for_each_visible(first..end, rows, |index, corners, area| {
-                let mut pixels = Pixels {
-                    shader: &self.shader,
-                    surface: &surface,
-                    face: self.shader.face(&surface, &MeshFace::new(self.tables, index)),
-                    target,
-                };
-                draw_triangle(corners, area, &window, &mut pixels)
+                let triangle = Triangle::new(corners, area);
+                match self.shader.face(&surface, &MeshFace::new(self.tables, index)) {
+                    Some(color) => target.fill(triangle, &window, color),
+                    None => target.shade(triangle, &window, |varyings| self.shader.pixel(&surface, varyings)),
+                }
             })?;
             first = end;
         }
@@ -212,27 +210,5 @@ impl Rows {
     #[inline(always)]
     const fn are_missed_by(self, [a, b, c]: [i32; 3]) -> bool {
         (a < self.first && b < self.first && c < self.first) || (a > self.last && b > self.last && c > self.last)
-    }
-}
-
-/// Brings spans and shader together in the target.
-struct Pixels<'s, Sh: Shader, T> {
-    shader: &'s Sh,
-    surface: &'s Sh::Surface,
-    face: Option<Sh::Color>,
-    target: &'s mut T,
-}
-
-impl<Sh: Shader, T: Target<Color = Sh::Color>> SpanSink<T::Depth, Sh::Varyings> for Pixels<'_, Sh, T> {
-    type Error = T::Error;
-
-    #[inline(always)]
-    fn span(&mut self, span: &Span<T::Depth, Sh::Varyings>) -> Result<(), T::Error> {
-        match self.face {
-            Some(color) => self.target.fill(span, color),
-            None => self
-                .target
-                .shade(span, |varyings| self.shader.pixel(self.surface, varyings)),
-        }
     }
 }

@@ -8,8 +8,8 @@ use embedded_graphics_core::{
 
 use super::Target;
 use crate::{
-    geometry::NoDepth,
-    raster::{Interpolate, Span, Step, Window},
+    geometry::{NoDepth, Subpixel, Varyings},
+    raster::{Interpolate, Layout, Span, Step, Triangle, Window},
 };
 
 /// Draws spans as runs on any [`DrawTarget`], each one `fill_solid` or `fill_contiguous`.
@@ -31,6 +31,9 @@ impl<'a, T: DrawTarget> Direct<'a, T> {
     }
 }
 
+/// Every row alike: an address is a column.
+const COLUMNS: Layout = Layout { pitch: 0, origin: 0 };
+
 const fn rectangle<V: Interpolate>(span: &Span<NoDepth, V>) -> Rectangle {
     let width = (span.end - span.start) as u32;
     Rectangle::new(Point::new(span.start, span.row), Size::new(width, 1))
@@ -45,23 +48,31 @@ impl<T: DrawTarget> Target for Direct<'_, T> {
         self.window
     }
 
-    #[inline(always)]
-    fn shade<V: Interpolate>(
+    #[inline(never)]
+    fn shade<S: Subpixel, V: Varyings + Interpolate>(
         &mut self,
-        span: &Span<NoDepth, V>,
+        triangle: Triangle<'_, S, NoDepth, V>,
+        window: &Window,
         mut pixel: impl FnMut(V::Sample) -> T::Color,
     ) -> Result<(), T::Error> {
-        let mut varyings = span.varyings;
-        let colors = (span.start..span.end).map(|_| {
-            let color = pixel(V::sample(varyings));
-            varyings = varyings.plus(span.varyings_step);
-            color
-        });
-        self.display.fill_contiguous(&rectangle(span), colors)
+        triangle.for_each_span(window, COLUMNS, |span| {
+            let mut varyings = span.varyings;
+            let colors = (span.start..span.end).map(|_| {
+                let color = pixel(V::sample(varyings));
+                varyings = varyings.plus(span.varyings_step);
+                color
+            });
+            self.display.fill_contiguous(&rectangle(span), colors)
+        })
     }
 
-    #[inline(always)]
-    fn fill<V: Interpolate>(&mut self, span: &Span<NoDepth, V>, color: T::Color) -> Result<(), T::Error> {
-        self.display.fill_solid(&rectangle(span), color)
+    #[inline(never)]
+    fn fill<S: Subpixel, V: Varyings + Interpolate>(
+        &mut self,
+        triangle: Triangle<'_, S, NoDepth, V>,
+        window: &Window,
+        color: T::Color,
+    ) -> Result<(), T::Error> {
+        triangle.for_each_span(window, COLUMNS, |span| self.display.fill_solid(&rectangle(span), color))
     }
 }

@@ -4,10 +4,10 @@ use core::convert::Infallible;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
-use super::{DepthBuffer, DepthCell, Target};
+use super::{DepthBuffer, Target};
 use crate::{
-    geometry::NoDepth,
-    raster::{Interpolate, Span, Step, Window},
+    geometry::{NoDepth, Subpixel, Varyings},
+    raster::{Interpolate, Layout, Triangle, Window},
 };
 
 /// Colour and depth of a rectangle of the display, row by row, in memory that the caller owns.
@@ -122,13 +122,36 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         display.fill_contiguous(&self.area, self.color.iter().copied())
     }
 
-    /// The pixels of a span and the cells of their depth.
-    #[inline(always)]
-    fn run<V: Interpolate>(&mut self, span: &Span<B::Format, V>) -> Option<(&mut [C], B::Cells<'_>)> {
-        let row = (span.row - self.window.top) as usize * self.area.size.width as usize;
-        let start = row + (span.start - self.window.left) as usize;
-        let end = start + (span.end - span.start) as usize;
-        Some((self.color.get_mut(start..end)?, self.depth.cells(start, end)?))
+    /// An address is an index of the buffers.
+    const fn layout(&self) -> Layout {
+        let pitch = self.area.size.width as i32;
+        Layout {
+            pitch,
+            origin: self.window.top.wrapping_mul(pitch).wrapping_add(self.window.left),
+        }
+    }
+
+    /// Draws the spans of a triangle in one colour, untested.
+    #[inline(never)]
+    fn fill_runs<S: Subpixel, V: Varyings + Interpolate>(
+        &mut self,
+        triangle: Triangle<'_, S, B::Format, V>,
+        window: &Window,
+        color: C,
+    ) -> Result<(), Infallible> {
+        triangle.for_each_span(window, self.layout(), |span| {
+            if let Some(colors) = self.color.get_mut(span.start as usize..span.end as usize) {
+                // One test for eight stores; `fill` tests after each.
+                let (eights, rest) = colors.as_chunks_mut::<8>();
+                for eight in eights {
+                    *eight = [color; 8];
+                }
+                for pixel in rest {
+                    *pixel = color;
+                }
+            }
+            Ok(())
+        })
     }
 }
 
@@ -142,40 +165,29 @@ impl<C: PixelColor, B: DepthBuffer> Target for Frame<'_, C, B> {
     }
 
     #[inline(never)]
-    fn shade<V: Interpolate>(
+    fn shade<S: Subpixel, V: Varyings + Interpolate>(
         &mut self,
-        span: &Span<Self::Depth, V>,
+        triangle: Triangle<'_, S, Self::Depth, V>,
+        window: &Window,
         mut pixel: impl FnMut(V::Sample) -> C,
     ) -> Result<(), Infallible> {
-        let (mut depth, mut varyings) = (span.depth, span.varyings);
-        if let Some((colors, cells)) = self.run(span) {
-            for (color, mut cell) in colors.iter_mut().zip(cells) {
-                if cell.pass(B::Format::value(depth)) {
-                    *color = pixel(V::sample(varyings));
-                }
-                depth = depth.plus(span.depth_step);
-                varyings = varyings.plus(span.varyings_step);
-            }
-        }
-        Ok(())
+        triangle.for_each_span(window, self.layout(), |span| {
+            self.depth.shade(self.color, span, &mut pixel);
+            Ok(())
+        })
     }
 
     #[inline(always)]
-    fn fill<V: Interpolate>(&mut self, span: &Span<Self::Depth, V>, color: C) -> Result<(), Infallible> {
+    fn fill<S: Subpixel, V: Varyings + Interpolate>(
+        &mut self,
+        triangle: Triangle<'_, S, Self::Depth, V>,
+        window: &Window,
+        color: C,
+    ) -> Result<(), Infallible> {
         if B::IS_STORED {
-            self.shade(span, |_| color)
+            self.shade(triangle, window, |_| color)
         } else {
-            if let Some((colors, _)) = self.run(span) {
-                // One test for eight stores; `fill` tests after each.
-                let (eights, rest) = colors.as_chunks_mut::<8>();
-                for eight in eights {
-                    *eight = [color; 8];
-                }
-                for pixel in rest {
-                    *pixel = color;
-                }
-            }
-            Ok(())
+            self.fill_runs(triangle, window, color)
         }
     }
 }

@@ -4,14 +4,14 @@ mod depth;
 mod direct;
 mod frame;
 
-pub use depth::{DepthBuffer, DepthCell};
+pub use depth::DepthBuffer;
 pub use direct::Direct;
 use embedded_graphics_core::pixelcolor::PixelColor;
 pub use frame::{Frame, FrameError};
 
 use crate::{
-    geometry::DepthFormat,
-    raster::{Interpolate, Span, Window},
+    geometry::{DepthFormat, Subpixel, Varyings},
+    raster::{Interpolate, Triangle, Window},
 };
 
 /// What triangles are drawn into.
@@ -26,21 +26,27 @@ pub trait Target {
     /// The pixels that it takes.
     fn window(&self) -> Window;
 
-    /// Draws a span that lies in the window, each pixel in the colour that `pixel` makes of its varyings.
+    /// Draws a triangle's spans in a part of the window, each pixel in the colour that `pixel` makes of its varyings.
     ///
     /// # Errors
     ///
     /// Whatever the target's drawing ends in.
-    fn shade<V: Interpolate>(
+    fn shade<S: Subpixel, V: Varyings + Interpolate>(
         &mut self,
-        span: &Span<Self::Depth, V>,
+        triangle: Triangle<'_, S, Self::Depth, V>,
+        window: &Window,
         pixel: impl FnMut(V::Sample) -> Self::Color,
     ) -> Result<(), Self::Error>;
 
-    /// Draws a span that lies in the window in one colour.
+    /// Draws a triangle's spans in a part of the window in one colour.
     ///
     /// # Errors
     ///
     /// Whatever the target's drawing ends in.
-    fn fill<V: Interpolate>(&mut self, span: &Span<Self::Depth, V>, color: Self::Color) -> Result<(), Self::Error>;
+    fn fill<S: Subpixel, V: Varyings + Interpolate>(
+        &mut self,
+        triangle: Triangle<'_, S, Self::Depth, V>,
+        window: &Window,
+        color: Self::Color,
+    ) -> Result<(), Self::Error>;
 }
