@@ -8,7 +8,7 @@ use embedded_graphics_core::{
 };
 use heapless::Vec;
 
-use super::{Vertices, vertices::Lookup};
+use super::{Vertices, Walked, vertices::Lookup};
 use crate::{
     geometry::{
         ClipVertex, CullBack, Culling, DepthFormat, MAX_CORNERS, Projection, ScreenVertex, Subpixel, Transform, clip,
@@ -108,6 +108,17 @@ impl<'v, S, D, P: Projection, Sh: Shader, K: Culling> Projected<'_, &'v [ScreenV
     #[must_use]
     pub const fn vertices(&self) -> &'v [ScreenVertex<S, D, Sh::Varyings>] {
         self.vertices
+    }
+}
+
+impl<'a, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, const N: usize>
+    Projected<'a, Walked<S, D, N>, P, Sh, K>
+{
+    /// The same with another number of vertices on the stack.
+    #[must_use]
+    pub fn remembering<const M: usize>(self) -> Projected<'a, Walked<S, D, M>, P, Sh, K> {
+        let vertices = self.vertices.remembering();
+        self.over(vertices)
     }
 }
 

@@ -71,6 +71,10 @@ impl<S, D, const N: usize> Walked<S, D, N> {
         let depth = PhantomData;
         Self { precision, depth }
     }
+
+    pub(super) fn remembering<const M: usize>(self) -> Walked<S, D, M> {
+        Walked::new(self.precision)
+    }
 }
 
 impl<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings, const N: usize> Vertices<V> for Walked<S, D, N> {
