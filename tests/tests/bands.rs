@@ -380,11 +380,11 @@ fn bins_need_their_words() {
         let seen = object.project(&at(eye, DISPLAY), &mut storage).unwrap();
         assert_eq!(seen.is_hidden(), eye == "-30");
         for room in [0, 1, needed - 1] {
-            let error = seen.clone().binned(5, &mut vec![0; room]).err();
+            let error = seen.binned(5, &mut vec![0; room]).err();
             assert_eq!(error, Some(ProjectError::BinStorage { needed }));
         }
         let mut more = vec![7; needed + 1];
-        let binned = seen.clone().binned(5, &mut more).unwrap();
+        let binned = seen.binned(5, &mut more).unwrap();
         let is_drawn = picture::<u16>(5, |band| binned.draw(band)).drawn(BACKGROUND).len() > 400;
         assert_eq!(is_drawn, eye == "3");
         assert_eq!(more[needed], 7);
@@ -543,9 +543,9 @@ fn threads_share_a_frame() {
         let (mut even, mut odd) = (vec![], vec![]);
         while let Some(band) = bands.pop() {
             if bands.len() % 2 == 0 {
-                even.push(band)
+                even.push(band);
             } else {
-                odd.push(band)
+                odd.push(band);
             }
         }
         thread::scope(|scope| {

@@ -1,8 +1,9 @@
 //! Objects, and the two steps of drawing one: project its vertices, then draw its triangles.
 //!
 //! A frame of several objects with different shaders is so many calls of [`Object::draw`], each compiled for its shader.
-//! Where the frame is drawn in bands, [`Object::project`] does the work on the vertices once, and
-//! [`Projected::draw`] is called for each band.
+//! Where the frame is drawn in bands, [`Object::project`] does the work on the vertices once, [`Projected::binned`] finds
+//! out which triangles reach which band, and [`Binned::draw`] is called for each. [`Object::walk`] does without storage
+//! for the vertices. [`Needs`] says beforehand how much memory all of it takes.
 
 mod bins;
 mod error;

@@ -58,10 +58,24 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
     }
 }
 
-/// No storage: a vertex is worked out when a triangle needs it, and the `N` most recent ones are kept on the stack while
-/// an object is drawn.
+/// No storage: a vertex is worked out when a triangle needs it, and `N` recent ones are kept on the stack while an object
+/// is drawn, 16 bytes each with 16-bit depth and one varying.
+///
+/// The converter orders triangles so that their vertices come up again soon. How often a vertex is worked out on average
+/// when the models that the project ships are drawn once:
+///
+/// | `N` | 0 | 8 | 16 | 32 |
+/// |---|---|---|---|---|
+/// | gear | 2.9 | 1.0 | 1.0 | 1.0 |
+/// | rocket | 3.8 | 1.4 | 1.3 | 1.2 |
+/// | torus knot | 6.0 | 2.4 | 1.8 | 1.0 |
+///
+/// Each draw begins anew, so that a frame in 15 bands costs that 15 times. [Bins](super::Projected::binned) bring it
+/// down to the vertices of the triangles in each band: of 5,856 triangles, 8.1 million instructions with 35 KB of
+/// vertices and 11 KB of bins (Cortex-M0+, 320 x 240) become 10.1 million with the bins alone, and 42 million with
+/// neither. Powers of two are the fastest `N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Walked<S, D, const N: usize = 16> {
+pub struct Walked<S, D, const N: usize = 32> {
     precision: S,
     depth: PhantomData<D>,
 }

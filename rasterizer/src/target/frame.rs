@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
-use super::{DepthBuffer, DepthCell, Target};
+use super::{DepthBuffer, DepthCell, Target, depth::set_all};
 use crate::{
     geometry::NoDepth,
     raster::{Interpolate, Span, Step, Window},
@@ -103,7 +103,7 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
 
     /// Sets all pixels to one colour and their depth to the far end.
     pub fn clear(&mut self, color: C) {
-        self.color.fill(color);
+        set_all(self.color, color);
         self.clear_depth();
     }
 
