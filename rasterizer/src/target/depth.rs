@@ -82,12 +82,14 @@ impl<D: DepthFormat + Interpolate + PartialOrd + 'static> DepthBuffer for &mut [
 pub(super) fn set_all<T: Copy>(elements: &mut [T], value: T) {
     // Known to be zero it would become a call of `memset`, which on a microcontroller takes two.
     let value = core::hint::black_box(value);
-    let (runs, rest) = elements.as_chunks_mut::<16>();
+    // Shorter runs are repeated by the compiler until they take twice the flash.
+    let (runs, rest) = elements.as_chunks_mut::<64>();
     for run in runs {
         run.iter_mut().for_each(|element| *element = value);
     }
     for element in rest {
-        *element = value;
+        // As above, lest the compiler make a case of each length.
+        *element = core::hint::black_box(value);
     }
 }
 
