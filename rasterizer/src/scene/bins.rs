@@ -54,11 +54,8 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Proje
         self.for_each_touching(|index, touched| {
             let first = index / 32 * bands.count;
             let reached = bands.reached(touched, &viewport);
-            for word in words
-                .get_mut(first + reached.start..first + reached.end)
-                .unwrap_or_default()
-            {
-                *word |= FIRST >> (index % 32);
+            if let Some(words) = words.get_mut(first + reached.start..first + reached.end) {
+                mark(words, FIRST >> (index % 32));
             }
         });
         Ok(Binned {
@@ -95,6 +92,14 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Binne
 
 /// The bit of the first triangle in a word.
 const FIRST: u32 = 1 << 31;
+
+/// Sets a bit of some words. A function of its own, as the compiler repeats its loop.
+#[inline(never)]
+fn mark(words: &mut [u32], bit: u32) {
+    for word in words {
+        *word |= bit;
+    }
+}
 
 /// The viewport's rows in bands of equal height, the last one cut short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -224,18 +224,6 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
         if self.is_hidden {
             return Ok(());
         }
-        let mut unless_culled = |index, corners: Corners<'_, V::Subpixel, V::Depth, Sh>| {
-            if rows.are_missed_by(corners.map(|corner| corner.y)) {
-                return Ok(());
-            }
-            let area = signed_area(corners);
-            // Counter-clockwise is negative, as y runs downwards.
-            if (area < 0 && K::FRONT) || (area > 0 && K::BACK) {
-                visit(index, corners, area)
-            } else {
-                Ok(())
-            }
-        };
         for index in triangles {
             let Some(indices) = self.tables.triangles.get(index) else {
                 break;
@@ -244,12 +232,14 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
                 break;
             };
             if corners.iter().all(|corner| corner.is_on_screen()) {
-                unless_culled(index, corners)?;
-            } else {
-                let corners = self.clipped(indices);
-                if let Some((hub, rim)) = corners.split_first() {
-                    for pair in rim.windows(2) {
-                        unless_culled(index, [hub, &pair[0], &pair[1]])?;
+                if let Some(area) = Self::visible_area(corners, rows) {
+                    visit(index, corners, area)?;
+                }
+            } else if let Some((hub, rim)) = self.clipped(index).split_first() {
+                for pair in rim.windows(2) {
+                    let corners = [hub, &pair[0], &pair[1]];
+                    if let Some(area) = Self::visible_area(corners, rows) {
+                        visit(index, corners, area)?;
                     }
                 }
             }
@@ -257,10 +247,22 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
         Ok(())
     }
 
+    /// The signed area of a triangle that is seen and may reach `rows`.
+    #[inline(always)]
+    fn visible_area(corners: Corners<'_, V::Subpixel, V::Depth, Sh>, rows: Rows) -> Option<i64> {
+        if rows.are_missed_by(corners.map(|corner| corner.y)) {
+            return None;
+        }
+        let area = signed_area(corners);
+        // Counter-clockwise is negative, as y runs downwards.
+        ((area < 0 && K::FRONT) || (area > 0 && K::BACK)).then_some(area)
+    }
+
     /// What near plane, far plane and guard band leave of a triangle.
     #[cold]
     #[inline(never)]
-    fn clipped(&self, indices: [usize; 3]) -> Polygon<V::Subpixel, V::Depth, Sh> {
+    fn clipped(&self, index: usize) -> Polygon<V::Subpixel, V::Depth, Sh> {
+        let indices = self.tables.triangles.get(index).unwrap_or_default();
         let triangle = indices.map(|index| self.in_clip_space(index));
         clip(triangle, &self.transform)
             .iter()
