@@ -2,8 +2,8 @@
 //!
 //! It needs no heap, no FPU and no operating system. A model is a [`Mesh`] of constant tables in flash, made from an OBJ
 //! file by the `host-tools` of this project. The caller owns all memory: a colour and a depth buffer for the picture or
-//! for a band of its rows (4 bytes a pixel with RGB565 and 16-bit depth), and 8 to 16 bytes for each vertex of the
-//! largest mesh.
+//! for a band of its rows (4 bytes a pixel with RGB565 and 16-bit depth), 8 to 16 bytes for each vertex of the largest
+//! mesh, or none, and a bit for each of its triangles and bands.
 //!
 //! # Example
 //!
@@ -61,7 +61,55 @@
 //! ```
 //!
 //! On a device the last step is `frame.present(&mut display)`, for any
-//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget).
+//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget). Where there is no room for all pixels, the same goes
+//! in bands of rows:
+//!
+//! ```
+//! # use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+//! # use rasterizer::{
+//! #     mesh::{Material, Mesh, Tables, Triangles},
+//! #     numbers::{Scale, Vec3},
+//! #     prelude::*,
+//! # };
+//! # static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
+//! #     positions: &[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
+//! #     scale: Scale::ONE,
+//! #     offset: Vec3::ZERO,
+//! #     vertex_normals: &[],
+//! #     face_normals: &[],
+//! #     texture_coordinates: &[],
+//! #     texture_fraction_bits: 16,
+//! #     triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
+//! #     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
+//! # });
+//! # let screen = Rectangle::new(Point::zero(), Size::new(16, 8));
+//! # let lens = Perspective::new(Angle::degrees(40), Distance::lit("0.1"), Distance::lit("10"))?;
+//! # let camera = Camera::look_at(Vec3::lit("0", "0", "3"), Vec3::ZERO, Vec3::Y, lens, screen)?;
+//! # let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; SQUARE.vertex_count()];
+//! # let mut display = std::vec::Vec::new();
+//! # struct Display<'a>(&'a mut std::vec::Vec<Rgb565>);
+//! # impl OriginDimensions for Display<'_> {
+//! #     fn size(&self) -> Size { Size::new(16, 8) }
+//! # }
+//! # impl DrawTarget for Display<'_> {
+//! #     type Color = Rgb565;
+//! #     type Error = core::convert::Infallible;
+//! #     fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+//! #         self.0.extend(pixels.into_iter().map(|pixel| pixel.1));
+//! #         Ok(())
+//! #     }
+//! # }
+//! # let mut display = Display(&mut display);
+//! // Two rows at a time; the four bands take the bits of two triangles.
+//! let (mut color, mut depth) = ([Rgb565::BLACK; 16 * 2], [0u16; 16 * 2]);
+//! let mut bins = [0; 4];
+//! let seen = Object::new(&SQUARE, Unlit::new()).project(&camera, &mut vertices)?;
+//! let seen = seen.binned(2, &mut bins)?;
+//! Bands::new(screen, &mut color, &mut depth)?.show(&mut display, Rgb565::BLACK, |band| seen.draw(band))?;
+//! # assert_eq!(display.0.len(), 16 * 8);
+//! # assert!(display.0.iter().filter(|&&pixel| pixel != Rgb565::BLACK).count() > 40);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 //!
 //! # The way through the crate
 //!
@@ -89,7 +137,10 @@
 //! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), or [your own](shade::Shader) |
-//! | destination | the target's type | [`Frame`](target::Frame), [`Direct`](target::Direct) |
+//! | order of a pixel's bytes | the shader's colour type | [`Rgb565Be`](target::Rgb565Be) as SPI takes them, any other |
+//! | vertices kept or not | how the object is seen | [`Object::project`](scene::Object::project), [`Object::walk`](scene::Object::walk) |
+//! | triangles sorted into bands or not | a step in between | [`Projected::binned`](scene::Projected::binned) |
+//! | destination | the target's type | [`Frame`](target::Frame), [`Bands`](target::Bands) of it, [`Direct`](target::Direct) |
 //!
 //! # Conventions
 //!
@@ -134,7 +185,8 @@
 //! * Perspective-correct varyings: light levels are interpolated linearly on the screen.
 //! * Non-uniform scaling of objects.
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
-//! * Vertices kept across the bands of a frame for several objects at once, unless each has its own storage.
+//! * Vertices kept across the bands of a frame for several objects in one storage: each has its own, or none
+//!   ([`Object::walk`](scene::Object::walk)).
 //!
 //! # Features
 //!

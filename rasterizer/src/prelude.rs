@@ -5,7 +5,7 @@ pub use crate::{
     geometry::{CullBack, CullFront, CullNone, NoDepth, Pose, S4, S8, ScreenVertex},
     mesh::Mesh,
     numbers::{Angle, Rotation, Scalar, Vec3},
-    scene::Object,
+    scene::{Needs, Object},
     shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
-    target::{Direct, Frame},
+    target::{Bands, Direct, Frame, Rgb565Be},
 };

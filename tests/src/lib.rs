@@ -1,5 +1,6 @@
 //! What the tests share.
 
+pub mod bands;
 mod counter;
 pub mod ends;
 mod picture;

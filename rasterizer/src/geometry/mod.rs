@@ -26,4 +26,4 @@ pub use cull::{CullBack, CullFront, CullNone, Culling};
 pub use pose::{Pose, PoseError};
 pub use projection::Projection;
 pub use screen::{S4, S8, ScreenVertex, Subpixel};
-pub(crate) use transform::Transform;
+pub(crate) use transform::{ClipVertex, Transform};

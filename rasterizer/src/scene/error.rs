@@ -10,6 +10,11 @@ pub enum ProjectError {
         /// How many the mesh has.
         needed: usize,
     },
+    /// There are fewer words than the bands' bits take, as [`bin_words`](super::bin_words) counts them.
+    BinStorage {
+        /// How many they take.
+        needed: usize,
+    },
     /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
     NoVertexNormals,
     /// The shader reads normals of triangles, and the mesh has none: convert the model with them.
@@ -30,6 +35,7 @@ impl core::fmt::Display for ProjectError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Self::VertexStorage { needed } => write!(f, "the mesh needs storage for {needed} vertices"),
+            Self::BinStorage { needed } => write!(f, "the bands need {needed} words for their triangles"),
             Self::NoVertexNormals => {
                 f.write_str("the shader needs vertex normals, which the mesh was converted without")
             }

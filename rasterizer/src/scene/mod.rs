@@ -1,23 +1,34 @@
 //! Objects, and the two steps of drawing one: project its vertices, then draw its triangles.
 //!
 //! A frame of several objects with different shaders is so many calls of [`Object::draw`], each compiled for its shader.
-//! Where the frame is drawn in bands, [`Object::project`] does the work on the vertices once, and
-//! [`Projected::draw`] is called for each band.
+//! Where the frame is drawn in bands, [`Object::project`] does the work on the vertices once, [`Projected::binned`] finds
+//! out which triangles reach which band, and [`Binned::draw`] is called for each. [`Object::walk`] does without storage
+//! for the vertices. [`Needs`] says beforehand how much memory all of it takes.
 
+mod bins;
 mod error;
+mod needs;
 mod projected;
+mod vertices;
 
+pub use bins::{Binned, bin_words};
 pub use error::{DrawError, ProjectError};
+pub use needs::Needs;
 pub use projected::Projected;
+pub use vertices::{Vertices, Walked};
 
 use crate::{
     camera::Camera,
     geometry::{CullBack, Culling, DepthFormat, Pose, Projection, ScreenVertex, Subpixel, Transform},
     mesh::Mesh,
     raster::Interpolate,
-    shade::{MeshVertex, Shader},
+    shade::Shader,
     target::Target,
 };
+
+/// An object whose vertices are in storage: what [`Object::project`] gives.
+pub type Stored<'v, 'a, S, D, P, Sh, K = CullBack> =
+    Projected<'a, &'v [ScreenVertex<S, D, <Sh as Shader>::Varyings>], P, Sh, K>;
 
 /// A mesh in a pose, with a shader, and with back faces, front faces or no faces left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -83,33 +94,50 @@ impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
     ///
     /// [`S4`]: crate::geometry::S4
     /// [`S8`]: crate::geometry::S8
-    pub fn project<'v, P: Projection, S: Subpixel, D: DepthFormat>(
+    pub fn project<'v, P: Projection, S: Subpixel, D: DepthFormat + Interpolate>(
         &self,
         camera: &Camera<P>,
         storage: &'v mut [ScreenVertex<S, D, Sh::Varyings>],
-    ) -> Result<Projected<'v, 'a, P, S, D, Sh, K>, ProjectError> {
-        let tables = self.mesh.tables();
-        error::check_tables(tables, Sh::TABLES)?;
+    ) -> Result<Stored<'v, 'a, S, D, P, Sh, K>, ProjectError> {
         let needed = self.mesh.vertex_count();
         let vertices = storage
             .get_mut(..needed)
             .ok_or(ProjectError::VertexStorage { needed })?;
-        let transform = Transform::new(camera, &self.pose, tables)?;
-        let shader = self.shader.in_object_space(&self.pose);
-        let is_hidden = transform.hides(&self.mesh.bounds().cuboid);
-        if !is_hidden {
-            for (index, (vertex, position)) in vertices.iter_mut().zip(tables.positions).enumerate() {
-                let varyings = shader.vertex(&MeshVertex::new(tables, index));
-                *vertex = transform.clip_to_screen(transform.object_to_clip(*position, varyings));
-            }
+        let seen = self.seen_by(camera)?;
+        if seen.is_hidden() {
+            return Ok(seen.over(&[]));
         }
-        Ok(Projected::new(
-            tables,
-            shader,
-            transform,
-            if is_hidden { &[] } else { vertices },
-            camera.viewport(),
-        ))
+        for (index, vertex) in vertices.iter_mut().enumerate() {
+            *vertex = seen.on_screen(index);
+        }
+        Ok(seen.over(vertices))
+    }
+
+    /// The object as the camera sees it, without storage for its vertices: each is worked out when a triangle needs it,
+    /// in the precision given ([`S4`] or [`S8`]), and the same pixels are drawn as after [`project`](Self::project).
+    ///
+    /// # Errors
+    ///
+    /// If the mesh lacks a table that the shader reads, or the object is too large or too far away for the camera's
+    /// numbers.
+    ///
+    /// [`S4`]: crate::geometry::S4
+    /// [`S8`]: crate::geometry::S8
+    pub fn walk<P: Projection, S: Subpixel, D: DepthFormat + Interpolate>(
+        &self,
+        camera: &Camera<P>,
+        precision: S,
+    ) -> Result<Projected<'a, Walked<S, D>, P, Sh, K>, ProjectError> {
+        Ok(self.seen_by(camera)?.over(Walked::new(precision)))
+    }
+
+    fn seen_by<P: Projection>(&self, camera: &Camera<P>) -> Result<Projected<'a, (), P, Sh, K>, ProjectError> {
+        let tables = self.mesh.tables();
+        error::check_tables(tables, Sh::TABLES)?;
+        let transform = Transform::new(camera, &self.pose, tables)?;
+        let is_hidden = transform.hides(&self.mesh.bounds().cuboid);
+        let shader = self.shader.in_object_space(&self.pose);
+        Ok(Projected::new(tables, shader, transform, is_hidden, &camera.viewport()))
     }
 
     /// Draws it: [`project`](Self::project) and [`Projected::draw`] at once.

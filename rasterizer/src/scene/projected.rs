@@ -1,59 +1,109 @@
 //! An object as the camera sees it, ready to be drawn.
 
-use core::{marker::PhantomData, ops::Range};
+use core::{convert::Infallible, marker::PhantomData, ops::Range};
 
-use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
 use heapless::Vec;
 
+use super::{Vertices, Walked, vertices::Lookup};
 use crate::{
-    geometry::{CullBack, Culling, DepthFormat, MAX_CORNERS, Projection, ScreenVertex, Subpixel, Transform, clip},
-    mesh::{Tables, Triangles},
-    raster::{Interpolate, Triangle, Window, signed_area},
+    geometry::{
+        ClipVertex, CullBack, Culling, DepthFormat, MAX_CORNERS, Projection, ScreenVertex, Subpixel, Transform, clip,
+    },
+    mesh::Tables,
+    raster::{Triangle, Window, signed_area},
     shade::{MeshFace, MeshVertex, Shader},
     target::Target,
 };
 
-/// The corners of a clipped triangle on the screen.
-type Corners<S, D, Sh> = Vec<ScreenVertex<S, D, <Sh as Shader>::Varyings>, MAX_CORNERS>;
+/// The corners of a triangle on the screen.
+type Corners<'s, S, D, Sh> = [&'s ScreenVertex<S, D, <Sh as Shader>::Varyings>; 3];
+/// The corners of a clipped triangle.
+type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, <Sh as Shader>::Varyings>, MAX_CORNERS>;
 
-/// An object whose vertices have been projected; it can be drawn into any number of targets, such as the bands of a
-/// frame.
+/// An object as the camera sees it; it can be drawn into any number of targets, such as the bands of a frame.
+///
+/// `V` is where its vertices come from: the storage that they were projected into, or [`Walked`].
 #[derive(Clone, Copy, Debug)]
-pub struct Projected<'v, 'a, P: Projection, S, D, Sh: Shader, K = CullBack> {
+pub struct Projected<'a, V, P: Projection, Sh: Shader, K = CullBack> {
     tables: &'a Tables<'a>,
     shader: Sh,
     transform: Transform<P>,
-    /// One for each vertex of the mesh, or none if the mesh is out of the picture.
-    vertices: &'v [ScreenVertex<S, D, Sh::Varyings>],
+    vertices: V,
+    /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices.
+    is_hidden: bool,
     viewport: Window,
     culling: PhantomData<K>,
 }
 
-impl<'v, 'a, P, S, D, Sh, K> Projected<'v, 'a, P, S, D, Sh, K>
-where
-    P: Projection,
-    S: Subpixel,
-    D: DepthFormat,
-    Sh: Shader,
-    K: Culling,
-{
+impl<'a, P: Projection, Sh: Shader, K: Culling> Projected<'a, (), P, Sh, K> {
+    /// Without vertices yet.
     pub(super) const fn new(
         tables: &'a Tables<'a>,
         shader: Sh,
         transform: Transform<P>,
-        vertices: &'v [ScreenVertex<S, D, Sh::Varyings>],
-        viewport: Rectangle,
+        is_hidden: bool,
+        viewport: &Rectangle,
     ) -> Self {
         Self {
             tables,
             shader,
             transform,
+            vertices: (),
+            is_hidden,
+            viewport: Window::new(viewport),
+            culling: PhantomData,
+        }
+    }
+}
+
+impl<'a, V, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
+    /// The same with vertices from elsewhere.
+    pub(super) fn over<W>(self, vertices: W) -> Projected<'a, W, P, Sh, K> {
+        Projected {
+            tables: self.tables,
+            shader: self.shader,
+            transform: self.transform,
             vertices,
-            viewport: Window::new(&viewport),
+            is_hidden: self.is_hidden,
+            viewport: self.viewport,
             culling: PhantomData,
         }
     }
 
+    /// Whether the mesh is certain to lie outside the picture: then nothing of it is drawn.
+    #[must_use]
+    pub const fn is_hidden(&self) -> bool {
+        self.is_hidden
+    }
+
+    pub(super) const fn triangle_count(&self) -> usize {
+        self.tables.triangles.len()
+    }
+
+    pub(super) const fn viewport(&self) -> &Window {
+        &self.viewport
+    }
+
+    /// A vertex in clip space.
+    #[inline(always)]
+    fn in_clip_space(&self, index: usize) -> ClipVertex<Sh::Varyings> {
+        let vertex = MeshVertex::new(self.tables, index);
+        self.transform
+            .object_to_clip(vertex.position(), self.shader.vertex(&vertex))
+    }
+
+    /// A vertex on the screen.
+    #[inline(always)]
+    pub(super) fn on_screen<S: Subpixel, D: DepthFormat>(&self, index: usize) -> ScreenVertex<S, D, Sh::Varyings> {
+        self.transform.clip_to_screen(self.in_clip_space(index))
+    }
+}
+
+impl<'v, S, D, P: Projection, Sh: Shader, K: Culling> Projected<'_, &'v [ScreenVertex<S, D, Sh::Varyings>], P, Sh, K> {
     /// The vertices on the screen, in the mesh's order; none if the mesh is out of the picture.
     #[must_use]
     pub const fn vertices(&self) -> &'v [ScreenVertex<S, D, Sh::Varyings>] {
@@ -61,34 +111,54 @@ where
     }
 }
 
-impl<P, S, D, Sh, K> Projected<'_, '_, P, S, D, Sh, K>
-where
-    P: Projection,
-    S: Subpixel,
-    D: DepthFormat + Interpolate,
-    Sh: Shader,
-    K: Culling,
+impl<'a, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, const N: usize>
+    Projected<'a, Walked<S, D, N>, P, Sh, K>
 {
+    /// The same with another number of vertices on the stack.
+    #[must_use]
+    pub fn remembering<const M: usize>(self) -> Projected<'a, Walked<S, D, M>, P, Sh, K> {
+        let vertices = self.vertices.remembering();
+        self.over(vertices)
+    }
+}
+
+impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected<'_, V, P, Sh, K> {
     /// Draws its triangles in the mesh's order.
     ///
     /// # Errors
     ///
     /// What the target says, at once.
-    pub fn draw<T: Target<Color = Sh::Color, Depth = D>>(&self, target: &mut T) -> Result<(), T::Error> {
+    pub fn draw<T: Target<Color = Sh::Color, Depth = V::Depth>>(&self, target: &mut T) -> Result<(), T::Error> {
+        self.draw_those(target, |run| run)
+    }
+
+    /// Draws some of its triangles: those that `chosen` picks, in their order, from each material's run.
+    pub(super) fn draw_those<T, I>(
+        &self,
+        target: &mut T,
+        mut chosen: impl FnMut(Range<usize>) -> I,
+    ) -> Result<(), T::Error>
+    where
+        T: Target<Color = Sh::Color, Depth = V::Depth>,
+        I: Iterator<Item = usize>,
+    {
         let window = target.window().intersection(&self.viewport);
         if window.is_empty() {
             return Ok(());
         }
-        let rows = Rows::of::<S>(&window);
+        let rows = Rows::of::<V::Subpixel>(&window);
+        let mut lookup = self.vertices.lookup();
         let mut first = 0;
         for material in self.tables.materials {
             let end = first + material.triangle_count as usize;
-            let surface = self.shader.surface(material);
-            self.for_each_visible(first..end, rows, |index, corners, area| {
+            // Worked out when the first triangle needs it: in a band most materials are not seen.
+            let mut surface = None;
+            self.for_each_visible(chosen(first..end), rows, &mut lookup, |index, corners, area| {
+                let surface = &*surface.get_or_insert_with(|| self.shader.surface(material));
                 let triangle = Triangle::new(corners, area);
-                match self.shader.face(&surface, &MeshFace::new(self.tables, index)) {
+                match self.shader.face(surface, &MeshFace::new(self.tables, index)) {
                     Some(color) => target.fill(triangle, &window, color),
-                    None => target.shade(triangle, &window, |varyings| self.shader.pixel(&surface, varyings)),
+                    None => target.shade(triangle, &window, |varyings| self.shader.pixel(surface, varyings)),
                 }
             })?;
             first = end;
@@ -105,61 +175,69 @@ where
     /// What `visit` ends in, at once.
     pub fn for_each_triangle<E>(
         &self,
-        mut visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3]) -> Result<(), E>,
+        mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>) -> Result<(), E>,
     ) -> Result<(), E> {
-        self.for_each_visible(0..self.tables.triangles.len(), Rows::ALL, |index, corners, _| {
+        let all = 0..self.triangle_count();
+        self.for_each_visible(all, Rows::ALL, &mut self.vertices.lookup(), |index, corners, _| {
             visit(index, corners)
         })
     }
 
-    /// The same for a range of the mesh's triangles, as far as they may reach `rows`, with their signed areas.
-    fn for_each_visible<E>(
-        &self,
-        range: Range<usize>,
-        rows: Rows,
-        visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3], i64) -> Result<(), E>,
-    ) -> Result<(), E> {
-        match self.tables.triangles {
-            Triangles::U8(triangles) => self.for_each_indexed(triangles, range, rows, visit),
-            Triangles::U16(triangles) => self.for_each_indexed(triangles, range, rows, visit),
-        }
+    /// The rectangle of the pixels that its triangles may touch, as far as they lie in the viewport: a frame or bands
+    /// of it and of the one before are all that has to be drawn and sent anew.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Rectangle> {
+        let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);
+        self.for_each_touching(|_, touched| {
+            low = [low[0].min(touched.left), low[1].min(touched.top)];
+            high = [high[0].max(touched.right), high[1].max(touched.bottom)];
+        });
+        let size = |axis: usize| (high[axis] - low[axis]) as u32;
+        (low[0] < high[0]).then(|| Rectangle::new(Point::new(low[0], low[1]), Size::new(size(0), size(1))))
     }
 
-    /// The same for indices of one type. A function of its own: the loop over all triangles needs its registers.
+    /// Visits the triangles that may touch pixels of the viewport, with the smallest window round the centres inside
+    /// them. A triangle that is clipped may be visited several times.
+    pub(super) fn for_each_touching(&self, mut visit: impl FnMut(usize, &Window)) {
+        let (all, rows) = (0..self.triangle_count(), Rows::of::<V::Subpixel>(&self.viewport));
+        let Ok(()) = self.for_each_visible(all, rows, &mut self.vertices.lookup(), |index, corners, _| {
+            let touched = window_of(corners).intersection(&self.viewport);
+            if !touched.is_empty() {
+                visit(index, &touched);
+            }
+            Ok::<(), Infallible>(())
+        });
+    }
+
+    /// Visits those triangles of the mesh that are seen and may reach `rows`, with their signed areas. A function of its
+    /// own: the loop needs its registers.
     #[inline(never)]
-    fn for_each_indexed<I: Copy + Into<usize>, E>(
+    fn for_each_visible<E>(
         &self,
-        triangles: &[[I; 3]],
-        range: Range<usize>,
+        triangles: impl Iterator<Item = usize>,
         rows: Rows,
-        mut visit: impl FnMut(usize, [&ScreenVertex<S, D, Sh::Varyings>; 3], i64) -> Result<(), E>,
+        lookup: &mut V::Lookup,
+        mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>, i64) -> Result<(), E>,
     ) -> Result<(), E> {
-        let mut unless_culled = |index, corners: [&ScreenVertex<S, D, Sh::Varyings>; 3]| {
-            if rows.are_missed_by(corners.map(|corner| corner.y)) {
-                return Ok(());
-            }
-            let area = signed_area(corners);
-            // Counter-clockwise is negative, as y runs downwards.
-            if (area < 0 && K::FRONT) || (area > 0 && K::BACK) {
-                visit(index, corners, area)
-            } else {
-                Ok(())
-            }
-        };
-        let first = range.start;
-        for (offset, indices) in triangles.get(range).unwrap_or_default().iter().enumerate() {
-            let [i, j, k] = indices.map(Into::into);
-            // There are none if the mesh is out of the picture.
-            let (Some(a), Some(b), Some(c)) = (self.vertices.get(i), self.vertices.get(j), self.vertices.get(k)) else {
+        if self.is_hidden {
+            return Ok(());
+        }
+        for index in triangles {
+            let Some(indices) = self.tables.triangles.get(index) else {
                 break;
             };
-            if a.is_on_screen() && b.is_on_screen() && c.is_on_screen() {
-                unless_culled(first + offset, [a, b, c])?;
-            } else {
-                let corners = self.clipped([i, j, k]);
-                if let Some((hub, rim)) = corners.split_first() {
-                    for pair in rim.windows(2) {
-                        unless_culled(first + offset, [hub, &pair[0], &pair[1]])?;
+            let Some(corners) = lookup.corners(indices, |index| self.on_screen(index)) else {
+                break;
+            };
+            if corners.iter().all(|corner| corner.is_on_screen()) {
+                if let Some(area) = Self::visible_area(corners, rows) {
+                    visit(index, corners, area)?;
+                }
+            } else if let Some((hub, rim)) = self.clipped(index).split_first() {
+                for pair in rim.windows(2) {
+                    let corners = [hub, &pair[0], &pair[1]];
+                    if let Some(area) = Self::visible_area(corners, rows) {
+                        visit(index, corners, area)?;
                     }
                 }
             }
@@ -167,19 +245,39 @@ where
         Ok(())
     }
 
+    /// The signed area of a triangle that is seen and may reach `rows`.
+    #[inline(always)]
+    fn visible_area(corners: Corners<'_, V::Subpixel, V::Depth, Sh>, rows: Rows) -> Option<i64> {
+        if rows.are_missed_by(corners.map(|corner| corner.y)) {
+            return None;
+        }
+        let area = signed_area(corners);
+        // Counter-clockwise is negative, as y runs downwards.
+        ((area < 0 && K::FRONT) || (area > 0 && K::BACK)).then_some(area)
+    }
+
     /// What near plane, far plane and guard band leave of a triangle.
     #[cold]
     #[inline(never)]
-    fn clipped(&self, indices: [usize; 3]) -> Corners<S, D, Sh> {
-        let triangle = indices.map(|index| {
-            let vertex = MeshVertex::new(self.tables, index);
-            self.transform
-                .object_to_clip(vertex.position(), self.shader.vertex(&vertex))
-        });
+    fn clipped(&self, index: usize) -> Polygon<V::Subpixel, V::Depth, Sh> {
+        let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let triangle = indices.map(|index| self.in_clip_space(index));
         clip(triangle, &self.transform)
             .iter()
             .map(|&vertex| self.transform.clip_to_screen(vertex))
             .collect()
+    }
+}
+
+/// The columns and rows whose centres lie between the corners of a triangle.
+fn window_of<S: Subpixel, D, V>(corners: [&ScreenVertex<S, D, V>; 3]) -> Window {
+    let first_center = |c: i32| (c + (1 << (S::BITS - 1)) - 1) >> S::BITS;
+    let [a, b, c] = corners;
+    Window {
+        left: first_center(a.x.min(b.x).min(c.x)),
+        top: first_center(a.y.min(b.y).min(c.y)),
+        right: first_center(a.x.max(b.x).max(c.x)),
+        bottom: first_center(a.y.max(b.y).max(c.y)),
     }
 }
 

@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
-use super::{DepthBuffer, Target};
+use super::{DepthBuffer, Target, depth::set_all};
 use crate::{
     geometry::{NoDepth, Subpixel, Varyings},
     raster::{Interpolate, Layout, Triangle, Window},
@@ -82,17 +82,28 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         if !depth.holds(needed) {
             return Err(FrameError::DepthLength { needed });
         }
-        Ok(Self {
-            color,
+        Ok(Self::part(color, depth, area))
+    }
+
+    /// A frame in the first part of memory that may be larger.
+    pub(super) fn part(color: &'a mut [C], depth: B, area: Rectangle) -> Self {
+        let pixels = color.len().min(area.size.width as usize * area.size.height as usize);
+        Self {
+            color: color.get_mut(..pixels).unwrap_or_default(),
             depth,
             area,
             window: Window::new(&area),
-        })
+        }
+    }
+
+    /// Gives the memory of the depth back.
+    pub(super) fn into_depth(self) -> B {
+        self.depth
     }
 
     /// Sets all pixels to one colour and their depth to the far end.
     pub fn clear(&mut self, color: C) {
-        self.color.fill(color);
+        set_all(self.color, color);
         self.clear_depth();
     }
 

@@ -1,9 +1,13 @@
 //! Where pixels go: into memory, or straight onto a display.
 
+mod bands;
+mod big_endian;
 mod depth;
 mod direct;
 mod frame;
 
+pub use bands::{BandAreas, Bands, StreamError};
+pub use big_endian::Rgb565Be;
 pub use depth::DepthBuffer;
 pub use direct::Direct;
 use embedded_graphics_core::pixelcolor::PixelColor;

@@ -16,7 +16,7 @@ use rasterizer::{
     geometry::{Pose, ScreenVertex, Subpixel},
     mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
-    scene::{Object, Projected},
+    scene::{Object, Stored},
     shade::{Flat, Gouraud, Level, Light, Shader},
     target::{DepthBuffer, Frame},
 };
@@ -150,7 +150,7 @@ impl Cost {
     /// Clears the depth, draws, and counts the pixels.
     fn measure<S: Subpixel, Sh: Shader<Color = Rgb565>, B: DepthBuffer>(
         &mut self,
-        seen: &Projected<'_, '_, Perspective, S, B::Format, Sh>,
+        seen: &Stored<'_, '_, S, B::Format, Perspective, Sh>,
         frame: &mut Frame<'_, Rgb565, B>,
         ticks: fn() -> u32,
     ) {

@@ -1,9 +1,11 @@
 //! Frames and their hashes.
 
-use core::fmt::Debug;
+use core::{convert::Infallible, fmt::Debug};
 
 use embedded_graphics_core::{
-    geometry::{Point, Size},
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{OriginDimensions, Point, Size},
     pixelcolor::{IntoStorage, Rgb565, RgbColor},
     primitives::Rectangle,
 };
@@ -11,9 +13,9 @@ use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{Pose, Projection, ScreenVertex, Subpixel},
     numbers::{Angle, Rotation, Vec3},
-    scene::Object,
+    scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Shader},
-    target::Frame,
+    target::{Bands, Frame},
 };
 
 use crate::{console, memory::Memory, models};
@@ -25,6 +27,11 @@ pub const PIXELS: usize = (SIDE * SIDE) as usize;
 /// Vertices of the largest model.
 pub const VERTICES: usize = 1800;
 
+/// Triangles of the largest model.
+const TRIANGLES: usize = 1700;
+/// Rows of a band; the last one is shorter.
+const ROWS: u32 = 24;
+const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(SIDE, SIDE));
 const LENS: Perspective = match Perspective::new(Angle::degrees(40), Distance::lit("0.02"), Distance::lit("100")) {
     Ok(lens) => lens,
@@ -87,7 +94,7 @@ fn report<P: Projection, Sh: Shader<Color = Rgb565, Varyings = [u16; 1]>>(
     console::line(format_args!("{model} {view} {frame} S4 {coarse:08x} S8 {fine:08x}"));
 }
 
-/// Draws a frame as a whole and again in bands of 24 rows, and checks that they are the same.
+/// Draws a frame as a whole, again in bands, and again without storage for vertices, and checks that they are the same.
 fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565>>(
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
@@ -96,21 +103,48 @@ fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565>>(
     vertices: &mut [ScreenVertex<S, u16, Sh::Varyings>],
 ) -> u32 {
     let seen = object.project(camera, vertices).unwrap_or_else(fail);
-    let mut render = |area: Rectangle, hash_before: u32| {
-        let pixels = (area.size.width * area.size.height) as usize;
-        let mut frame = Frame::new(&mut color[..pixels], &mut depth[..pixels], area).unwrap_or_else(fail);
-        frame.clear(Rgb565::new(1, 2, 3));
-        let Ok(()) = seen.draw(&mut frame);
-        hash(hash_before, frame.pixels())
-    };
-    let whole = render(AREA, 0);
-    let mut banded = 0;
-    for top in (0..SIDE).step_by(24) {
-        let rows = (SIDE - top).min(24);
-        banded = render(Rectangle::new(Point::new(0, top as i32), Size::new(SIDE, rows)), banded);
-    }
-    assert_eq!(whole, banded, "bands differ from the whole frame");
+    let mut frame = Frame::new(color, depth, AREA).unwrap_or_else(fail);
+    frame.clear(BACKGROUND);
+    let Ok(()) = seen.draw(&mut frame);
+    let whole = hash(0, frame.pixels());
+
+    let pixels = (SIDE * ROWS) as usize;
+    let mut bands = Bands::new(AREA, &mut color[..pixels], &mut depth[..pixels]).unwrap_or_else(fail);
+    let mut bins = [0; bin_words(TRIANGLES, SIDE, ROWS)];
+    let mut display = Hashing(0);
+    let binned = seen.binned(ROWS, &mut bins).unwrap_or_else(fail);
+    let Ok(()) = bands.show(&mut display, BACKGROUND, |band| binned.draw(band));
+    assert_eq!(whole, display.0, "bands differ from the whole frame");
+
+    let mut display = Hashing(0);
+    let walked = object.walk(camera, S::default()).unwrap_or_else(fail);
+    let walked = walked.binned(ROWS, &mut bins).unwrap_or_else(fail);
+    let Ok(()) = bands.show(&mut display, BACKGROUND, |band| walked.draw(band));
+    assert_eq!(whole, display.0, "without storage for vertices the frame differs");
     whole
+}
+
+/// A display that keeps the hash of its pixels.
+struct Hashing(u32);
+
+impl OriginDimensions for Hashing {
+    fn size(&self) -> Size {
+        AREA.size
+    }
+}
+
+impl DrawTarget for Hashing {
+    type Color = Rgb565;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        self.fill_contiguous(&AREA, pixels.into_iter().map(|pixel| pixel.1))
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(&mut self, _: &Rectangle, colors: I) -> Result<(), Infallible> {
+        self.0 = colors.into_iter().fold(self.0, |before, pixel| hash(before, &[pixel]));
+        Ok(())
+    }
 }
 
 /// FNV-1a over the pixels' 16-bit values, going on from the hash of what came before.

@@ -9,6 +9,8 @@ use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectang
 use rasterizer::prelude::*;
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
+const ROWS: u32 = 16;
+const NEEDS: Needs = Needs::of(&ROCKET, SCREEN.size, ROWS);
 const NEAR: Distance = Distance::lit("0.1");
 const FAR: Distance = Distance::lit("100");
 const EYE: Vec3 = Vec3::lit("0", "1", "3");
@@ -20,16 +22,12 @@ pub fn show<T: DrawTarget<Color = Rgb565>>(display: &mut T, turn: Angle) -> Resu
     let light = Light::new(SUN, const { Level::lit("0.2") }, const { Level::lit("0.8") });
     let rocket = Object::new(&ROCKET, Gouraud::new(light)).posed(Pose::rotated(Rotation::about_y(turn)));
 
-    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];
-    let (mut color, mut depth) = ([Rgb565::BLACK; 240 * 16], [0u16; 240 * 16]);
+    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; NEEDS.vertices];
+    let mut bins = [0; NEEDS.bin_words];
+    let (mut color, mut depth) = ([Rgb565::BLACK; NEEDS.pixels], [0u16; NEEDS.pixels]);
     let seen = rocket.project(&camera, &mut vertices).unwrap();
-    for top in (0..240).step_by(16) {
-        let rows = Rectangle::new(Point::new(0, top), Size::new(240, 16));
-        let mut band = Frame::new(&mut color, &mut depth, rows).unwrap();
-        band.clear(Rgb565::BLACK);
-        let Ok(()) = seen.draw(&mut band);
-        band.present(display)?;
-    }
-    Ok(())
+    let seen = seen.binned(ROWS, &mut bins).unwrap();
+    let mut bands = Bands::new(SCREEN, &mut color, &mut depth).unwrap();
+    bands.show(display, Rgb565::BLACK, |band| seen.draw(band))
 }
 // README

@@ -1,0 +1,67 @@
+//! Pixels as a display's bus takes them.
+
+use bytemuck::NoUninit;
+use embedded_graphics_core::pixelcolor::{
+    IntoStorage, PixelColor, Rgb565, Rgb888,
+    raw::{RawData, RawU16},
+};
+
+/// RGB565 with its more significant byte first, the order in which SPI displays take it: a band of these goes to a DMA
+/// channel as it lies in memory.
+///
+/// Shaders work their colours out once for a material, so that a pixel costs the same in this order as in any other.
+///
+/// ```
+/// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+/// use rasterizer::target::Rgb565Be;
+///
+/// let pixels = [Rgb565::RED, Rgb565::BLUE].map(Rgb565Be::from);
+/// assert_eq!(Rgb565Be::as_bytes(&pixels), [0xF8, 0x00, 0x00, 0x1F]);
+/// ```
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, NoUninit)]
+#[repr(transparent)]
+pub struct Rgb565Be(u16);
+
+impl Rgb565Be {
+    /// The bytes of pixels, two for each, without a copy.
+    #[must_use]
+    pub const fn as_bytes(pixels: &[Self]) -> &[u8] {
+        bytemuck::must_cast_slice(pixels)
+    }
+}
+
+impl PixelColor for Rgb565Be {
+    type Raw = RawU16;
+}
+
+impl From<Rgb565> for Rgb565Be {
+    fn from(color: Rgb565) -> Self {
+        Self(color.into_storage().to_be())
+    }
+}
+
+impl From<Rgb565Be> for Rgb565 {
+    fn from(color: Rgb565Be) -> Self {
+        RawU16::new(u16::from_be(color.0)).into()
+    }
+}
+
+impl From<Rgb888> for Rgb565Be {
+    fn from(color: Rgb888) -> Self {
+        Rgb565::from(color).into()
+    }
+}
+
+/// As it lies in memory.
+impl From<RawU16> for Rgb565Be {
+    fn from(raw: RawU16) -> Self {
+        Self(raw.into_inner())
+    }
+}
+
+/// As it lies in memory.
+impl From<Rgb565Be> for RawU16 {
+    fn from(color: Rgb565Be) -> Self {
+        Self::new(color.0)
+    }
+}

@@ -1,0 +1,207 @@
+//! A ball before a camera, and its picture in bands.
+
+use std::convert::Infallible;
+
+use embedded_graphics::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point},
+    pixelcolor::{PixelColor, Rgb888},
+    primitives::{PointsIter, Rectangle},
+};
+use fixed::types::U16F16;
+use rasterizer::{
+    camera::{Camera, Distance, Perspective},
+    geometry::NoDepth,
+    mesh::Material,
+    numbers::{Angle, Rotation, Scalar, Vec3},
+    shade::{Level, Light, MeshVertex, Shader},
+    target::{Bands, DepthBuffer, Frame},
+};
+
+use crate::{Surface, area};
+
+/// What no object covers.
+pub const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
+/// The display, somewhere.
+pub const DISPLAY: Rectangle = area(3, -2, 61, 47);
+/// Its rows.
+pub const ROWS: u32 = DISPLAY.size.height;
+
+/// A user's own shader with three varyings: the position is the colour.
+#[derive(Clone, Copy, Debug)]
+pub struct Position;
+
+impl Shader for Position {
+    type Color = Rgb888;
+    type Varyings = [u16; 3];
+    type Surface = ();
+
+    fn surface(&self, _: &Material) {}
+
+    fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 3] {
+        vertex.position().map(|c| c as u16 ^ 0x8000)
+    }
+
+    fn pixel(&self, (): &(), position: [U16F16; 3]) -> Rgb888 {
+        let [red, green, blue] = position.map(|c| (c.to_bits() >> 24) as u8);
+        Rgb888::new(red, green, blue)
+    }
+}
+
+/// From above.
+#[must_use]
+pub fn light() -> Light {
+    Light::new(Vec3::lit("1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"))
+}
+
+/// A ball of 588 triangles and a radius of 1.
+#[must_use]
+pub fn ball() -> Surface {
+    Surface::ball(16_384, 7)
+        .scaled(-14)
+        .with_vertex_normals()
+        .colored([250, 220, 150])
+}
+
+/// The materials of a mesh of 588 triangles: runs that begin and end anywhere in words of 32, one of them empty.
+pub const MATERIALS: [Material; 6] = {
+    const fn material(color: [u8; 3], triangle_count: u32) -> Material {
+        Material { color, triangle_count }
+    }
+    [
+        material([250, 220, 150], 31),
+        material([20, 220, 150], 1),
+        material([250, 20, 150], 0),
+        material([250, 220, 15], 97),
+        material([120, 120, 250], 5),
+        material([220, 20, 10], 454),
+    ]
+};
+
+/// A camera this far before the origin.
+///
+/// # Panics
+///
+/// If that is no number.
+#[must_use]
+pub fn at(z: &str, viewport: Rectangle) -> Camera<Perspective> {
+    // From inside, what is beside the camera is more than 1,024 pixels away from the picture's middle.
+    let near = if z < "1" {
+        Distance::lit("0.004")
+    } else {
+        Distance::lit("0.25")
+    };
+    let lens = Perspective::new(Angle::degrees(70), near, Distance::lit("10")).unwrap();
+    let eye = Vec3::new(Scalar::lit("0.1"), Scalar::lit("0.2"), z.parse().unwrap());
+    Camera::at(eye, Rotation::about_x(-Angle::degrees(8)), lens, viewport).unwrap()
+}
+
+/// All of the ball; cut by the picture's edges; by the near plane; from inside; there, with vertices beyond the guard band.
+pub const EYES: [&str; 5] = ["3", "1.7", "1.2", "0.9", "0.18"];
+
+/// A display that keeps its pixels.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Screen<C> {
+    /// Which.
+    pub area: Rectangle,
+    /// Row by row; nothing where nothing was sent yet.
+    pub pixels: Vec<Option<C>>,
+}
+
+impl<C: PixelColor> Screen<C> {
+    /// Nothing sent yet.
+    #[must_use]
+    pub fn new(area: Rectangle) -> Self {
+        let pixels = vec![None; area.size.width as usize * area.size.height as usize];
+        Self { area, pixels }
+    }
+
+    /// The part that shows something.
+    #[must_use]
+    pub fn drawn(&self, background: C) -> Vec<Point> {
+        let all = self.area.points().zip(&self.pixels);
+        all.filter(|(_, pixel)| pixel.is_some_and(|pixel| pixel != background))
+            .map(|(point, _)| point)
+            .collect()
+    }
+}
+
+impl<C> Dimensions for Screen<C> {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl<C: PixelColor> DrawTarget for Screen<C> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(point, color) in pixels {
+            let from_corner = point - self.area.top_left;
+            let index = from_corner.y as usize * self.area.size.width as usize + from_corner.x as usize;
+            self.pixels[index] = Some(color);
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
+        let mut colors = colors.into_iter();
+        let pixels = area
+            .points()
+            .zip(colors.by_ref())
+            .map(|(p, c)| Pixel(p, c))
+            .collect::<Vec<_>>();
+        assert_eq!(pixels.len(), area.size.width as usize * area.size.height as usize);
+        assert!(colors.next().is_none(), "colours beyond {area:?}");
+        self.draw_iter(pixels)
+    }
+}
+
+/// A kind of depth, and bands in memory of their own.
+pub trait Depth: Sized {
+    /// Its memory.
+    type Buffer: DepthBuffer<Format = Self> + Default;
+    /// Bands of `area` of so many rows.
+    fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self::Buffer>;
+}
+
+fn memory<T: Clone>(area: Rectangle, rows: u32, value: T) -> Vec<T> {
+    vec![value; (area.size.width * rows) as usize]
+}
+
+macro_rules! stored {
+    ($depth:ty) => {
+        impl Depth for $depth {
+            type Buffer = &'static mut [$depth];
+            fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self::Buffer> {
+                Bands::new(area, memory(area, rows, BACKGROUND), memory(area, rows, 0).leak()).unwrap()
+            }
+        }
+    };
+}
+stored!(u16);
+stored!(u32);
+
+impl Depth for NoDepth {
+    type Buffer = Self;
+    fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self> {
+        Bands::without_depth(area, memory(area, rows, BACKGROUND)).unwrap()
+    }
+}
+
+/// A picture of [`DISPLAY`] in bands of so many rows.
+///
+/// # Panics
+///
+/// If a pixel is not sent.
+pub fn picture<D: Depth>(
+    rows: u32,
+    draw: impl FnMut(&mut Frame<'_, Rgb888, D::Buffer>) -> Result<(), Infallible>,
+) -> Screen<Rgb888> {
+    let mut screen = Screen::new(DISPLAY);
+    let Ok(()) = D::bands(DISPLAY, rows).show(&mut screen, BACKGROUND, draw);
+    assert!(screen.pixels.iter().all(Option::is_some), "a pixel was not sent");
+    screen
+}
