@@ -40,10 +40,31 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-cfg=models");
     }
 
-    if env::var("CARGO_CFG_TARGET_OS")? == "none" {
-        println!("cargo::rustc-link-arg-bins=-Tlink.x");
-        println!("cargo::rerun-if-changed=../../memory.x");
+    link()
+}
+
+/// Where the board that QEMU runs the programs on has its memory. Cortex-M programs have that of `memory.x`, an RP2040's,
+/// unless they need more or the board has it elsewhere.
+fn link() -> Result<(), Box<dyn Error>> {
+    if env::var("CARGO_CFG_TARGET_OS")? != "none" {
+        return Ok(());
     }
+    let target = env::var("TARGET")?;
+    if target.starts_with("riscv32") {
+        let boards = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("boards");
+        println!("cargo::rerun-if-changed=boards/virt.x");
+        println!("cargo::rustc-link-arg-bins=-T{}", boards.join("virt.x").display());
+    } else {
+        println!("cargo::rerun-if-changed=../../memory.x");
+        if target.starts_with("thumbv8m") {
+            println!("cargo::rustc-link-arg-bins=--defsym=_flash=0x10000000");
+            println!("cargo::rustc-link-arg-bins=--defsym=_ram=0x38000000");
+        }
+        for program in ["bench"] {
+            println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
+        }
+    }
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
     Ok(())
 }
 

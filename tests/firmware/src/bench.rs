@@ -21,7 +21,7 @@ use rasterizer::{
     target::{DepthBuffer, Frame},
 };
 
-use crate::{console, memory::Memory, models};
+use crate::{console, counter::Moment, memory::Memory, models};
 
 /// 320 x 240 in two halves: the memory holds no more, and the triangles are looked through twice.
 const SIZE: Size = Size::new(320, 240);
@@ -32,11 +32,9 @@ pub const PIXELS: usize = (SIZE.width * ROWS) as usize;
 pub const VERTICES: usize = 3000;
 
 const FRAMES: u32 = 8;
-/// Instructions to a tick.
-const TICK: u32 = 40;
 
-/// Runs all scenes; `ticks` reads a timer that counts down from 2^24 - 1.
-pub fn run(memory: &mut Memory<PIXELS, VERTICES>, ticks: fn() -> u32) {
+/// Runs all scenes.
+pub fn run(memory: &mut Memory<PIXELS, VERTICES>) {
     let light = Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"));
     let gouraud = Gouraud::<Rgb565>::new(light);
     let (close, far) = (view("400", "2.4"), view("160", "3"));
@@ -48,8 +46,8 @@ pub fn run(memory: &mut Memory<PIXELS, VERTICES>, ticks: fn() -> u32) {
             fine,
         } = &mut *memory;
         let object = Object::new(mesh, gouraud);
-        scene((name, "S4"), object, &close, color, depth, coarse, ticks);
-        scene((name, "S8"), object, &close, color, depth, fine, ticks);
+        scene((name, "S4"), object, &close, color, depth, coarse);
+        scene((name, "S8"), object, &close, color, depth, fine);
     };
     #[cfg(models)]
     both("spot-gouraud", &models::SPOT);
@@ -61,13 +59,13 @@ pub fn run(memory: &mut Memory<PIXELS, VERTICES>, ticks: fn() -> u32) {
     let mut coarse = [ScreenVertex::<rasterizer::geometry::S4, _, _>::EMPTY; models::SPHERE.vertex_count()];
     let mut fine = [ScreenVertex::<rasterizer::geometry::S8, _, _>::EMPTY; models::SPHERE.vertex_count()];
     let sphere = Object::new(&models::SPHERE, flat);
-    scene(("sphere-flat", "S4"), sphere, &far, color, depth, &mut coarse, ticks);
-    scene(("sphere-flat", "S8"), sphere, &far, color, depth, &mut fine, ticks);
+    scene(("sphere-flat", "S4"), sphere, &far, color, depth, &mut coarse);
+    scene(("sphere-flat", "S8"), sphere, &far, color, depth, &mut fine);
     let mut coarse = [ScreenVertex::<rasterizer::geometry::S4, _, _>::EMPTY; models::CUBE.vertex_count()];
     let mut fine = [ScreenVertex::<rasterizer::geometry::S8, _, _>::EMPTY; models::CUBE.vertex_count()];
     let cube = Object::new(&models::CUBE, flat);
-    convex(("cube-flat", "S4"), cube, &close, color, &mut coarse, ticks);
-    convex(("cube-flat", "S8"), cube, &close, color, &mut fine, ticks);
+    convex(("cube-flat", "S4"), cube, &close, color, &mut coarse);
+    convex(("cube-flat", "S8"), cube, &close, color, &mut fine);
 }
 
 fn view(focal_length: &str, distance: &str) -> Camera {
@@ -93,18 +91,17 @@ fn scene<S: Subpixel, Sh: Shader<Color = Rgb565>>(
     color: &mut [Rgb565],
     depth: &mut [u16],
     vertices: &mut [ScreenVertex<S, u16, Sh::Varyings>],
-    ticks: fn() -> u32,
 ) {
     let mut total = Cost::default();
     for frame in 0..FRAMES {
         let object = object.clone().posed(pose(frame));
-        let start = ticks();
+        let start = Moment::now();
         let seen = object.project(camera, vertices).unwrap_or_else(fail);
-        total.vertices += since(start, ticks);
+        total.vertices += start.elapsed();
         for area in halves() {
             color.fill(Rgb565::BLACK);
             let mut frame = Frame::new(color, depth, area).unwrap_or_else(fail);
-            total.measure(&seen, &mut frame, ticks);
+            total.measure(&seen, &mut frame);
         }
     }
     total.report(name);
@@ -116,25 +113,20 @@ fn convex<S: Subpixel, Sh: Shader<Color = Rgb565>>(
     camera: &Camera,
     color: &mut [Rgb565],
     vertices: &mut [ScreenVertex<S, rasterizer::geometry::NoDepth, Sh::Varyings>],
-    ticks: fn() -> u32,
 ) {
     let mut total = Cost::default();
     for frame in 0..FRAMES {
         let object = object.clone().posed(pose(frame));
-        let start = ticks();
+        let start = Moment::now();
         let seen = object.project(camera, vertices).unwrap_or_else(fail);
-        total.vertices += since(start, ticks);
+        total.vertices += start.elapsed();
         for area in halves() {
             color.fill(Rgb565::BLACK);
             let mut frame = Frame::without_depth(color, area).unwrap_or_else(fail);
-            total.measure(&seen, &mut frame, ticks);
+            total.measure(&seen, &mut frame);
         }
     }
     total.report(name);
-}
-
-fn since(start: u32, ticks: fn() -> u32) -> u32 {
-    (start.wrapping_sub(ticks()) & 0xFF_FFFF) * TICK
 }
 
 /// Instructions of all frames of a scene.
@@ -152,14 +144,13 @@ impl Cost {
         &mut self,
         seen: &Projected<'_, '_, Perspective, S, B::Format, Sh>,
         frame: &mut Frame<'_, Rgb565, B>,
-        ticks: fn() -> u32,
     ) {
-        let start = ticks();
+        let start = Moment::now();
         frame.clear_depth();
-        self.clear += since(start, ticks);
-        let start = ticks();
+        self.clear += start.elapsed();
+        let start = Moment::now();
         let Ok(()) = seen.draw(frame);
-        self.triangles += since(start, ticks);
+        self.triangles += start.elapsed();
         self.pixels += frame.pixels().iter().filter(|&&p| p != Rgb565::BLACK).count() as u32;
     }
 

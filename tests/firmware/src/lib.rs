@@ -4,6 +4,8 @@
 
 pub mod bench;
 pub mod console;
+pub mod counter;
+pub mod entry;
 pub mod frames;
 pub mod memory;
 pub mod models;

@@ -14,20 +14,4 @@ fn run() {
     critical_section::with(|token| frames::run(&mut MEMORY.borrow_ref_mut(token)));
 }
 
-#[cfg(not(target_os = "none"))]
-fn main() {
-    run();
-}
-
-#[cfg(target_os = "none")]
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    run();
-    firmware::console::exit()
-}
-
-#[cfg(target_os = "none")]
-#[panic_handler]
-fn panic(info: &core::panic::PanicInfo<'_>) -> ! {
-    firmware::console::panic(info)
-}
+firmware::entry!(run);
