@@ -40,6 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-cfg=models");
     }
 
+    sizes(&out)?;
     link()
 }
 
@@ -94,4 +95,11 @@ fn sphere(around: usize, down: usize) -> Result<String, std::fmt::Error> {
         }
     }
     Ok(obj)
+}
+
+/// The scenes whose size is measured have a model of 500 triangles and few vertices besides.
+fn sizes(out: &Path) -> Result<(), Box<dyn Error>> {
+    fs::write(out.join("ball.obj"), sphere(25, 11)?)?;
+    convert_for_build(out.join("ball.obj"), &Options::default())?;
+    Ok(())
 }

@@ -10,3 +10,4 @@ pub mod frames;
 pub mod memory;
 pub mod models;
 pub mod readme;
+pub mod sizes;
