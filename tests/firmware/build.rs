@@ -41,6 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
 
     sizes(&out)?;
+    println!("cargo::rustc-env=OPT_LEVEL={}", env::var("OPT_LEVEL")?);
     link()
 }
 
@@ -61,7 +62,7 @@ fn link() -> Result<(), Box<dyn Error>> {
             println!("cargo::rustc-link-arg-bins=--defsym=_flash=0x10000000");
             println!("cargo::rustc-link-arg-bins=--defsym=_ram=0x38000000");
         }
-        for program in ["bench"] {
+        for program in ["bench", "bench_set_up"] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
         }
     }

@@ -29,3 +29,8 @@ extern crate std;
 pub fn line(text: Arguments<'_>) {
     std::println!("{text}");
 }
+
+/// Prints how this was compiled: with which `opt-level`.
+pub fn build() {
+    line(format_args!("opt-level {}", env!("OPT_LEVEL")));
+}

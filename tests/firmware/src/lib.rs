@@ -4,10 +4,12 @@
 
 pub mod bench;
 pub mod console;
+pub mod cost;
 pub mod counter;
 pub mod entry;
 pub mod frames;
 pub mod memory;
 pub mod models;
+pub mod nothing;
 pub mod readme;
 pub mod sizes;

@@ -1,19 +1,20 @@
-//! Prints how many instructions a frame of each bench scene takes; on the host, where nothing counts them, zeros.
+//! Prints what the frames of each bench scene cost; on the host, where nothing counts instructions, zeros.
 
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg_attr(target_os = "none", no_main)]
 
 use firmware::{
-    bench::{self, PIXELS, VERTICES},
-    counter,
+    bench::{self, PIXELS},
+    console, counter,
     memory::{Memory, Shared},
 };
 
-static MEMORY: Shared<PIXELS, VERTICES> = Memory::shared();
+static MEMORY: Shared<PIXELS> = Memory::shared();
 
 fn run() {
     counter::start();
-    critical_section::with(|token| bench::run(&mut MEMORY.borrow_ref_mut(token)));
+    console::build();
+    critical_section::with(|token| bench::run::<false>(&mut MEMORY.borrow_ref_mut(token)));
 }
 
 firmware::entry!(run);

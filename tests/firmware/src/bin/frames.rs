@@ -4,11 +4,11 @@
 #![cfg_attr(target_os = "none", no_main)]
 
 use firmware::{
-    frames::{self, PIXELS, VERTICES},
+    frames::{self, PIXELS},
     memory::{Memory, Shared},
 };
 
-static MEMORY: Shared<PIXELS, VERTICES> = Memory::shared();
+static MEMORY: Shared<PIXELS> = Memory::shared();
 
 fn run() {
     critical_section::with(|token| frames::run(&mut MEMORY.borrow_ref_mut(token)));
