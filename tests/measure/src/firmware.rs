@@ -7,7 +7,7 @@ use std::{
     env,
     ffi::OsString,
     fs,
-    path::{Path, PathBuf},
+    path::{self, Path, PathBuf},
     process::Command,
 };
 
@@ -192,6 +192,10 @@ fn linker(rustc: &OsString) -> Option<PathBuf> {
 fn run(mut command: Command, program: Program<'_>) -> Result<()> {
     if let Some(level) = program.opt_level {
         command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level);
+    }
+    // Cargo runs in the root, a build script in its package: neither is where a relative path was written.
+    if let Some(models) = env::var_os("RASTERIZER_MODELS") {
+        command.env("RASTERIZER_MODELS", path::absolute(models)?);
     }
     let output = command.current_dir(root()).output();
     let output = output.with_context(|| format!("{} could not be started", command.get_program().display()))?;

@@ -5,6 +5,8 @@ mod firmware;
 mod frames;
 mod progress;
 mod qemu;
+mod results;
+mod speed;
 mod table;
 
 use std::{
@@ -34,6 +36,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Frames(frames::Arguments),
+    Speed(speed::Arguments),
 }
 
 /// What a command has to say when its files are written.
@@ -57,6 +60,7 @@ impl Default for Done {
 fn main() -> ExitCode {
     let done = match &Arguments::parse().command {
         Command::Frames(arguments) => frames::run(arguments),
+        Command::Speed(arguments) => speed::run(arguments),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {
         Ok(true) => ExitCode::SUCCESS,

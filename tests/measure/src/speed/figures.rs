@@ -1,0 +1,224 @@
+//! What the firmware prints, and the figures that are made of it.
+
+use anyhow::{Context as _, Result, bail};
+use serde::{Deserialize, Serialize};
+
+use crate::cores::Core;
+
+/// A line of the firmware: sums over the frames, in units of the core's counter.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+pub(super) struct Line {
+    pub(super) scene: String,
+    precision: String,
+    mode: String,
+    #[serde(flatten)]
+    cost: Cost,
+}
+
+/// What a program of the firmware has counted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+pub(crate) struct Cost {
+    frames: u64,
+    clear: u64,
+    vertices: u64,
+    draw: u64,
+    pixels_drawn: u64,
+    triangles_drawn: u64,
+}
+
+impl Cost {
+    /// A mean over the frames, to the nearest.
+    const fn mean(&self, sum: u64) -> u64 {
+        (sum + self.frames / 2) / self.frames
+    }
+
+    /// Instructions of a frame.
+    pub(crate) const fn frame(&self, core: Core) -> u64 {
+        self.mean((self.clear + self.vertices + self.draw) * core.instructions_per_count())
+    }
+
+    /// Pixels that a frame covers.
+    pub(crate) const fn pixels(&self) -> u64 {
+        self.mean(self.pixels_drawn)
+    }
+
+    /// Triangles that are left of a frame after culling and clipping.
+    pub(crate) const fn triangles(&self) -> u64 {
+        self.mean(self.triangles_drawn)
+    }
+
+    /// A line without a frame says nothing, and has no mean.
+    pub(crate) fn check(&self) -> Result<()> {
+        if self.frames == 0 || self.pixels_drawn.max(self.triangles_drawn) == 0 {
+            bail!("the firmware has drawn nothing: {self:?}");
+        }
+        Ok(())
+    }
+}
+
+impl Line {
+    /// All that a program has printed, but for the first line.
+    pub(super) fn all(lines: &[String]) -> Result<Vec<Self>> {
+        let parse = |line: &String| {
+            let line: Self =
+                serde_json::from_str(line).with_context(|| format!("the firmware has printed `{line}`, no figures"))?;
+            line.cost.check()?;
+            Ok(line)
+        };
+        lines.iter().skip(1).map(parse).collect()
+    }
+
+    pub(super) fn is_same_scene(&self, other: &Self) -> bool {
+        (&self.scene, &self.precision, &self.mode) == (&other.scene, &other.precision, &other.mode)
+    }
+}
+
+/// The `opt-level` of the firmware, which is in its first line.
+pub(crate) fn opt_level(lines: &[String]) -> Result<String> {
+    let first = lines.first().map_or("nothing", String::as_str);
+    let level = first.strip_prefix("opt-level ");
+    Ok(level
+        .with_context(|| format!("the firmware begins with `{first}`, not with its opt-level"))?
+        .to_owned())
+}
+
+/// What a frame of a scene costs on a core: means over its frames, in instructions.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Scene {
+    pub(super) scene: String,
+    /// S4 or S8: binary digits behind the point of a vertex's place.
+    pub(super) precision: String,
+    /// How the frame is drawn: as a whole, or in bands.
+    pub(super) mode: String,
+    /// All of it.
+    pub(super) frame: u64,
+    /// Setting depth to the far end.
+    pub(super) clear: u64,
+    /// Transforming, lighting and projecting vertices.
+    pub(super) vertices: u64,
+    /// Culling triangles, setting them up, and walking down their rows.
+    pub(super) set_up: u64,
+    /// What is left: depth test, interpolation, colour.
+    pub(super) pixels: u64,
+    pub(super) pixels_drawn: u64,
+    pub(super) triangles_drawn: u64,
+}
+
+impl Scene {
+    pub(super) fn new(core: Core, line: &Line, set_up: &Line) -> Self {
+        let cost = line.cost;
+        let mean = |sum: u64| cost.mean(sum * core.instructions_per_count());
+        Self {
+            scene: line.scene.clone(),
+            precision: line.precision.clone(),
+            mode: line.mode.clone(),
+            frame: cost.frame(core),
+            clear: mean(cost.clear),
+            vertices: mean(cost.vertices),
+            set_up: mean(set_up.cost.draw),
+            pixels: mean(cost.draw.saturating_sub(set_up.cost.draw)),
+            pixels_drawn: cost.pixels(),
+            triangles_drawn: cost.triangles(),
+        }
+    }
+
+    /// What tells it from the other scenes of a core.
+    pub(super) fn key(&self) -> [&str; 3] {
+        [&self.scene, &self.precision, &self.mode]
+    }
+}
+
+/// All scenes of a core, and what they were measured with.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct CoreSpeed {
+    pub(super) core: Core,
+    pub(super) date: String,
+    pub(super) rustc: String,
+    pub(super) qemu: String,
+    pub(super) opt_level: String,
+    pub(super) scenes: Vec<Scene>,
+}
+
+/// The figures of some or all cores: what `results/speed.json` holds.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) struct Speed {
+    pub(super) cores: Vec<CoreSpeed>,
+}
+
+impl Speed {
+    pub(super) fn of(&self, core: Core) -> Option<&CoreSpeed> {
+        self.cores.iter().find(|speed| speed.core == core)
+    }
+
+    /// These figures, with those of some cores replaced.
+    pub(super) fn with(self, newer: Self) -> Self {
+        let kept = self.cores.into_iter().filter(|speed| newer.of(speed.core).is_none());
+        let mut cores: Vec<_> = kept.collect();
+        cores.extend(newer.cores);
+        cores.sort_by_key(|speed| speed.core);
+        Self { cores }
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    const FRAMES: &str = r#"{"scene":"cube-flat","precision":"S8","mode":"whole","frames":8,"clear":80,"vertices":16,"draw":800,"pixels_drawn":804,"triangles_drawn":44}"#;
+
+    /// Figures of one scene on one core.
+    pub(in crate::speed) fn speed(core: Core, scene: &str, frame: u64) -> Speed {
+        let scene = Scene {
+            scene: scene.into(),
+            precision: "S4".into(),
+            mode: "whole".into(),
+            frame,
+            clear: 0,
+            vertices: 1_000,
+            set_up: 2_000,
+            pixels: frame - 3_000,
+            pixels_drawn: 5_000,
+            triangles_drawn: 10,
+        };
+        let core = CoreSpeed {
+            core,
+            date: "2026-01-31".into(),
+            rustc: "rustc 1.95.0".into(),
+            qemu: "7.2".into(),
+            opt_level: "3".into(),
+            scenes: vec![scene],
+        };
+        Speed { cores: vec![core] }
+    }
+
+    #[test]
+    fn a_scene_is_the_mean_of_its_frames_in_instructions() {
+        let frames = Line::all(&["opt-level 3".into(), FRAMES.into()]).unwrap();
+        let set_up = Line::all(&["opt-level 3".into(), FRAMES.replace("800", "300")]).unwrap();
+        assert!(frames[0].is_same_scene(&set_up[0]));
+        let scene = Scene::new(Core::M33, &frames[0], &set_up[0]);
+        assert_eq!((scene.frame, scene.clear, scene.vertices), (5_600, 500, 100));
+        assert_eq!((scene.set_up, scene.pixels), (1_875, 3_125));
+        assert_eq!((scene.pixels_drawn, scene.triangles_drawn), (101, 6));
+        assert_eq!(scene.key(), ["cube-flat", "S8", "whole"]);
+    }
+
+    #[test]
+    fn what_are_no_figures_is_quoted() {
+        let of = |line: &str| Line::all(&["opt-level 3".into(), line.into()]).unwrap_err().to_string();
+        assert!(of("panicked at src").contains("`panicked at src`"));
+        assert!(of(&FRAMES.replace(r#""frames":8"#, r#""frames":0"#)).contains("nothing"));
+        assert_eq!(opt_level(&["opt-level s".into()]).unwrap(), "s");
+        assert!(opt_level(&[FRAMES.into()]).is_err() && opt_level(&[]).is_err());
+    }
+
+    #[test]
+    fn newer_figures_replace_those_of_their_cores_only() {
+        let old = speed(Core::M4, "a", 9_000).with(speed(Core::M0plus, "a", 9_000));
+        let new = old.with(speed(Core::M4, "b", 8_000));
+        let found: Vec<_> = new.cores.iter().map(|c| (c.core, c.scenes[0].frame)).collect();
+        assert_eq!(found, [(Core::M0plus, 9_000), (Core::M4, 8_000)]);
+        let text = serde_json::to_string(&new).unwrap();
+        assert_eq!(serde_json::from_str::<Speed>(&text).unwrap(), new);
+    }
+}
