@@ -12,4 +12,6 @@ pub mod memory;
 pub mod models;
 pub mod nothing;
 pub mod readme;
+pub mod scaling;
 pub mod sizes;
+pub mod surface;
