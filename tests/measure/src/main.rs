@@ -1,6 +1,8 @@
 //! Builds the firmware for microcontrollers, runs it in QEMU, and says what frames cost there.
 
+mod conditions;
 mod cores;
+mod cost;
 mod firmware;
 mod frames;
 mod progress;

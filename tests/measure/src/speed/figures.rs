@@ -1,9 +1,9 @@
 //! What the firmware prints, and the figures that are made of it.
 
-use anyhow::{Context as _, Result, bail};
+use anyhow::{Context as _, Result};
 use serde::{Deserialize, Serialize};
 
-use crate::cores::Core;
+use crate::{conditions::Conditions, cores::Core, cost::Cost};
 
 /// A line of the firmware: sums over the frames, in units of the core's counter.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -13,47 +13,6 @@ pub(super) struct Line {
     mode: String,
     #[serde(flatten)]
     cost: Cost,
-}
-
-/// What a program of the firmware has counted.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-pub(crate) struct Cost {
-    frames: u64,
-    clear: u64,
-    vertices: u64,
-    draw: u64,
-    pixels_drawn: u64,
-    triangles_drawn: u64,
-}
-
-impl Cost {
-    /// A mean over the frames, to the nearest.
-    const fn mean(&self, sum: u64) -> u64 {
-        (sum + self.frames / 2) / self.frames
-    }
-
-    /// Instructions of a frame.
-    pub(crate) const fn frame(&self, core: Core) -> u64 {
-        self.mean((self.clear + self.vertices + self.draw) * core.instructions_per_count())
-    }
-
-    /// Pixels that a frame covers.
-    pub(crate) const fn pixels(&self) -> u64 {
-        self.mean(self.pixels_drawn)
-    }
-
-    /// Triangles that are left of a frame after culling and clipping.
-    pub(crate) const fn triangles(&self) -> u64 {
-        self.mean(self.triangles_drawn)
-    }
-
-    /// A line without a frame says nothing, and has no mean.
-    pub(crate) fn check(&self) -> Result<()> {
-        if self.frames == 0 || self.pixels_drawn.max(self.triangles_drawn) == 0 {
-            bail!("the firmware has drawn nothing: {self:?}");
-        }
-        Ok(())
-    }
 }
 
 impl Line {
@@ -71,15 +30,6 @@ impl Line {
     pub(super) fn is_same_scene(&self, other: &Self) -> bool {
         (&self.scene, &self.precision, &self.mode) == (&other.scene, &other.precision, &other.mode)
     }
-}
-
-/// The `opt-level` of the firmware, which is in its first line.
-pub(crate) fn opt_level(lines: &[String]) -> Result<String> {
-    let first = lines.first().map_or("nothing", String::as_str);
-    let level = first.strip_prefix("opt-level ");
-    Ok(level
-        .with_context(|| format!("the firmware begins with `{first}`, not with its opt-level"))?
-        .to_owned())
 }
 
 /// What a frame of a scene costs on a core: means over its frames, in instructions.
@@ -107,18 +57,17 @@ pub(crate) struct Scene {
 impl Scene {
     pub(super) fn new(core: Core, line: &Line, set_up: &Line) -> Self {
         let cost = line.cost;
-        let mean = |sum: u64| cost.mean(sum * core.instructions_per_count());
         Self {
             scene: line.scene.clone(),
             precision: line.precision.clone(),
             mode: line.mode.clone(),
             frame: cost.frame(core),
-            clear: mean(cost.clear),
-            vertices: mean(cost.vertices),
-            set_up: mean(set_up.cost.draw),
-            pixels: mean(cost.draw.saturating_sub(set_up.cost.draw)),
-            pixels_drawn: cost.pixels(),
-            triangles_drawn: cost.triangles(),
+            clear: cost.clear(core),
+            vertices: cost.vertices(core),
+            set_up: set_up.cost.triangles_and_pixels(core),
+            pixels: (cost.triangles_and_pixels(core)).saturating_sub(set_up.cost.triangles_and_pixels(core)),
+            pixels_drawn: cost.pixels_drawn(),
+            triangles_drawn: cost.triangles_drawn(),
         }
     }
 
@@ -132,10 +81,8 @@ impl Scene {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct CoreSpeed {
     pub(super) core: Core,
-    pub(super) date: String,
-    pub(super) rustc: String,
-    pub(super) qemu: String,
-    pub(super) opt_level: String,
+    #[serde(flatten)]
+    pub(super) conditions: Conditions,
     pub(super) scenes: Vec<Scene>,
 }
 
@@ -182,10 +129,12 @@ pub(super) mod tests {
         };
         let core = CoreSpeed {
             core,
-            date: "2026-01-31".into(),
-            rustc: "rustc 1.95.0".into(),
-            qemu: "7.2".into(),
-            opt_level: "3".into(),
+            conditions: Conditions {
+                date: "2026-01-31".into(),
+                rustc: "rustc 1.95.0".into(),
+                qemu: "7.2".into(),
+                opt_level: "3".into(),
+            },
             scenes: vec![scene],
         };
         Speed { cores: vec![core] }
@@ -208,8 +157,6 @@ pub(super) mod tests {
         let of = |line: &str| Line::all(&["opt-level 3".into(), line.into()]).unwrap_err().to_string();
         assert!(of("panicked at src").contains("`panicked at src`"));
         assert!(of(&FRAMES.replace(r#""frames":8"#, r#""frames":0"#)).contains("nothing"));
-        assert_eq!(opt_level(&["opt-level s".into()]).unwrap(), "s");
-        assert!(opt_level(&[FRAMES.into()]).is_err() && opt_level(&[]).is_err());
     }
 
     #[test]

@@ -17,6 +17,7 @@ use serde::Serialize;
 
 use crate::{
     Done,
+    conditions::Conditions,
     cores::Core,
     firmware::{self, Program},
     progress::Progress,
@@ -121,7 +122,7 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
             Ok::<_, anyhow::Error>(lines)
         };
         let (frames, set_up) = (lines("bench")?, lines("bench_set_up")?);
-        let opt_level = figures::opt_level(&frames)?;
+        let conditions = Conditions::of(core, &frames)?;
         let scenes = scenes(core, &frames, &set_up)?;
         let is_wanted =
             |scene: &Scene| wanted.is_empty() || wanted.iter().any(|name| scene.scene.contains(name.as_str()));
@@ -137,10 +138,7 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
         }
         speed.cores.push(CoreSpeed {
             core,
-            date: results::today(),
-            rustc: firmware::compiler_version(core)?,
-            qemu: qemu::version(core)?,
-            opt_level,
+            conditions,
             scenes,
         });
     }

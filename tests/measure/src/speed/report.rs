@@ -61,14 +61,6 @@ fn table(speed: &CoreSpeed) -> Table {
     table
 }
 
-/// How a core's figures were measured.
-fn measured(speed: &CoreSpeed) -> String {
-    let CoreSpeed {
-        rustc, qemu, opt_level, ..
-    } = speed;
-    format!("{rustc}, opt-level {opt_level}, QEMU {qemu}")
-}
-
 /// For a terminal.
 pub(super) fn tables(speed: &Speed) -> String {
     let mut text = String::new();
@@ -78,7 +70,7 @@ pub(super) fn tables(speed: &Speed) -> String {
             text,
             "{}: instructions a frame ({})\n{}",
             speed.core.title(),
-            measured(speed),
+            speed.conditions,
             table(speed).aligned()
         );
     }
@@ -101,9 +93,9 @@ pub(super) fn changes(before: &Speed, now: &Speed, changes: &[Change]) -> String
     let mut text = String::new();
     for speed in &now.cores {
         if let Some(before) = before.of(speed.core)
-            && measured(before) != measured(speed)
+            && before.conditions.to_string() != speed.conditions.to_string()
         {
-            let _ = writeln!(text, "{} was saved with {}.", speed.core.title(), measured(before));
+            let _ = writeln!(text, "{} was saved with {}.", speed.core.title(), before.conditions);
         }
     }
     let percent = 100.0 * THRESHOLD;
@@ -149,8 +141,8 @@ pub(crate) fn section(speed: &Speed) -> String {
             text,
             "\n### {}\n\n{}, {}.\n\n{}",
             speed.core.title(),
-            speed.date,
-            measured(speed),
+            speed.conditions.date,
+            speed.conditions,
             table(speed).markdown()
         );
     }
@@ -181,7 +173,7 @@ mod tests {
     #[test]
     fn a_change_is_told_with_its_direction_and_the_compiler_s() {
         let (before, mut now) = (speed(Core::M4, "cube", 10_000), speed(Core::M4, "cube", 12_000));
-        now.cores[0].rustc = "rustc 2.0.0".into();
+        now.cores[0].conditions.rustc = "rustc 2.0.0".into();
         let text = changes(&before, &now, &compare::changes(&before, &now));
         assert!(text.starts_with("Cortex-M4 was saved with rustc 1.95.0"), "{text}");
         assert!(
