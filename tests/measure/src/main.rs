@@ -8,6 +8,7 @@ mod frames;
 mod progress;
 mod qemu;
 mod results;
+mod scaling;
 mod speed;
 mod table;
 
@@ -39,6 +40,7 @@ struct Arguments {
 enum Command {
     Frames(frames::Arguments),
     Speed(speed::Arguments),
+    Scaling(scaling::Arguments),
 }
 
 /// What a command has to say when its files are written.
@@ -63,6 +65,7 @@ fn main() -> ExitCode {
     let done = match &Arguments::parse().command {
         Command::Frames(arguments) => frames::run(arguments),
         Command::Speed(arguments) => speed::run(arguments),
+        Command::Scaling(arguments) => scaling::run(arguments),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {
         Ok(true) => ExitCode::SUCCESS,

@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result};
 use host_tools::model::write_atomically;
 use serde::{Serialize, de::DeserializeOwned};
 
-use crate::{firmware, speed};
+use crate::{firmware, scaling, speed};
 
 const TITLE: &str = "\
 # What it costs
@@ -57,7 +57,10 @@ pub(crate) fn save_text(name: &str, text: String) -> Result<()> {
 ///
 /// If a file cannot be read or written.
 pub(crate) fn render() -> Result<()> {
-    let sections = [load("speed.json")?.as_ref().map(speed::section)];
+    let sections = [
+        load("speed.json")?.as_ref().map(speed::section),
+        load("scaling.json")?.as_ref().map(scaling::section),
+    ];
     let text = [TITLE.to_owned()].into_iter().chain(sections.into_iter().flatten());
     let text = text.collect::<Vec<_>>().join("\n");
     Ok(write_atomically(&file("../RESULTS.md"), text)?)
