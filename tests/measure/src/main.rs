@@ -5,6 +5,7 @@ mod firmware;
 mod frames;
 mod progress;
 mod qemu;
+mod size;
 mod table;
 
 use std::{
@@ -34,6 +35,7 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Frames(frames::Arguments),
+    Size(size::Arguments),
 }
 
 /// What a command has to say when its files are written.
@@ -57,6 +59,7 @@ impl Default for Done {
 fn main() -> ExitCode {
     let done = match &Arguments::parse().command {
         Command::Frames(arguments) => frames::run(arguments),
+        Command::Size(arguments) => size::run(arguments),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {
         Ok(true) => ExitCode::SUCCESS,
