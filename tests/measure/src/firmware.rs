@@ -55,6 +55,26 @@ pub(crate) fn build(core: Core, program: Program<'_>) -> Result<PathBuf> {
         .join(program.name))
 }
 
+/// Builds several programs at once for a core and returns the directory they are in.
+///
+/// # Errors
+///
+/// As [`build`].
+pub(crate) fn build_all(core: Core, names: &[&str], opt_level: &str) -> Result<PathBuf> {
+    let toolchain = Toolchain::find(core)?;
+    let mut command = toolchain.cargo(core);
+    for name in names {
+        command.args(["--bin", name]);
+    }
+    command.args(["--target", core.target()]);
+    let programs = Program {
+        name: &names.join(", "),
+        opt_level: Some(opt_level),
+    };
+    run(command, programs)?;
+    Ok(toolchain.directory.join(core.target()).join("release"))
+}
+
 /// Builds a program for the machine that this runs on and returns where it is.
 ///
 /// # Errors

@@ -9,6 +9,7 @@ mod progress;
 mod qemu;
 mod results;
 mod scaling;
+mod size;
 mod speed;
 mod table;
 
@@ -41,6 +42,7 @@ enum Command {
     Frames(frames::Arguments),
     Speed(speed::Arguments),
     Scaling(scaling::Arguments),
+    Size(size::Arguments),
 }
 
 /// What a command has to say when its files are written.
@@ -66,6 +68,7 @@ fn main() -> ExitCode {
         Command::Frames(arguments) => frames::run(arguments),
         Command::Speed(arguments) => speed::run(arguments),
         Command::Scaling(arguments) => scaling::run(arguments),
+        Command::Size(arguments) => size::run(arguments),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {
         Ok(true) => ExitCode::SUCCESS,
