@@ -124,6 +124,10 @@ fn measure<'a, S: Subpixel>(
     camera: &Camera,
     memory: &mut Memory<PIXELS>,
 ) -> Cost<false> {
+    #[expect(
+        clippy::large_stack_arrays,
+        reason = "the boards have 4 MB, and half of it is left for the stack"
+    )]
     let mut vertices = [ScreenVertex::<S, u16, [u16; 1]>::EMPTY; VERTICES];
     let mut cost = Cost::default();
     for frame in 0..FRAMES {

@@ -142,7 +142,7 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
         index
     }
 
-    fn triangle(&mut self, corners: [u16; 3]) {
+    const fn triangle(&mut self, corners: [u16; 3]) {
         self.triangles[self.triangle_count as usize] = corners;
         self.triangle_count += 1;
         self.material[0] = Material {

@@ -111,7 +111,7 @@ impl Axis {
     }
 
     /// The whole decades that it touches.
-    fn of_whole_decades(self) -> Self {
+    const fn of_whole_decades(self) -> Self {
         Self {
             first: self.first.floor(),
             last: self.last.ceil(),
