@@ -5,6 +5,7 @@ mod cores;
 mod cost;
 mod firmware;
 mod frames;
+mod per_core;
 mod progress;
 mod qemu;
 mod results;
@@ -25,6 +26,8 @@ const EXAMPLES: &str = "\
 Examples:
   cargo run --quiet --release --package measure -- frames
   cargo run --quiet --release --package measure -- speed m0plus m4
+  cargo run --quiet --release --package measure -- scaling
+  cargo run --quiet --release --package measure -- size
 
 Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is missing.";
 

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::curve::{CoreScaling, Curve, Scaling};
-use crate::cores::Core;
+use super::curve::{Curve, Points, Scaling};
+use crate::{cores::Core, per_core::Measured};
 
 /// Of the picture, and of the area within a chart's axes, in user units.
 const PICTURE: [f64; 2] = [1000.0, 400.0];
@@ -80,9 +80,9 @@ pub(super) fn svg(scaling: &Scaling) -> String {
     svg + "</svg>\n"
 }
 
-fn points(core: &CoreScaling, curve: Curve) -> Vec<[f64; 2]> {
+fn points(core: &Measured<Points>, curve: Curve) -> Vec<[f64; 2]> {
     let precision = if core.core == Core::M0plus { "S4" } else { "S8" };
-    let points = core.curve(curve, precision);
+    let points = core.figures.curve(curve, precision);
     points
         .iter()
         .map(|point| [point.at as f64, point.instructions as f64])

@@ -3,7 +3,7 @@
 use anyhow::{Context as _, Result};
 use serde::{Deserialize, Serialize};
 
-use crate::{conditions::Conditions, cores::Core, cost::Cost};
+use crate::{cores::Core, cost::Cost, per_core::PerCore};
 
 /// What is drawn at each point of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -123,16 +123,16 @@ impl Point {
     }
 }
 
-/// The curves of a core, and what they were measured with.
+/// The curves of a core.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct CoreScaling {
-    pub(super) core: Core,
-    #[serde(flatten)]
-    pub(super) conditions: Conditions,
+pub(crate) struct Points {
     pub(super) points: Vec<Point>,
 }
 
-impl CoreScaling {
+/// What `results/scaling.json` holds.
+pub(crate) type Scaling = PerCore<Points>;
+
+impl Points {
     /// The points of a curve in one precision, in order.
     pub(super) fn curve(&self, curve: Curve, precision: &str) -> Vec<&Point> {
         let is_on_it = |point: &&Point| point.curve == curve && point.precision == precision;
@@ -140,15 +140,10 @@ impl CoreScaling {
     }
 }
 
-/// The curves of some cores: what `results/scaling.json` holds.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Scaling {
-    pub(super) cores: Vec<CoreScaling>,
-}
-
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::per_core;
 
     /// Points of a curve on the M4, from its items and instructions.
     pub(in crate::scaling) fn scaling(curve: Curve, points: &[(u64, u64)]) -> Scaling {
@@ -161,17 +156,8 @@ pub(super) mod tests {
             pixels_drawn: at,
             triangles_drawn: at / 2,
         };
-        let core = CoreScaling {
-            core: Core::M4,
-            conditions: Conditions {
-                date: "2026-01-31".into(),
-                rustc: "rustc 1.95.0".into(),
-                opt_level: "3".into(),
-                qemu: "7.2".into(),
-            },
-            points: points.iter().map(point).collect(),
-        };
-        Scaling { cores: vec![core] }
+        let points = points.iter().map(point).collect();
+        per_core::tests::of(Core::M4, Points { points })
     }
 
     #[test]
@@ -192,7 +178,7 @@ pub(super) mod tests {
     fn the_exponent_is_one_in_proportion_and_zero_for_nothing() {
         let exponent = |a: (u64, u64), b: (u64, u64)| {
             let scaling = scaling(Curve::SquareTriangles, &[a, b]);
-            let points = &scaling.cores[0].points;
+            let points = &scaling.cores[0].figures.points;
             points[1].exponent(&points[0])
         };
         assert_eq!(exponent((100, 5_000), (200, 10_000)), Some(1.0));

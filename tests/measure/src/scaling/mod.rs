@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use anyhow::Result;
 use clap::Args;
 pub(crate) use curve::Scaling;
-use curve::{CoreScaling, Point};
+use curve::{Point, Points};
 pub(crate) use report::section;
 
 use crate::{
@@ -18,6 +18,7 @@ use crate::{
     conditions::Conditions,
     cores::Core,
     firmware::{self, Program},
+    per_core::Measured,
     progress::Progress,
     qemu, results,
 };
@@ -58,6 +59,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
         done.text = report::tables(&scaling) + &report::steps(&steps);
     }
     if arguments.save {
+        let saved: Option<Scaling> = results::load("scaling.json")?;
+        let scaling = saved.unwrap_or_default().with(scaling);
         results::save("scaling.json", &scaling)?;
         results::save_text("scaling.svg", chart::svg(&scaling))?;
         results::render()?;
@@ -71,10 +74,12 @@ fn measure(cores: &[Core]) -> Result<Scaling> {
     for &core in cores {
         progress.say(format!("curves on {}", core.title()));
         let lines = qemu::run(core, &firmware::build(core, Program::named("scaling"))?)?;
-        scaling.cores.push(CoreScaling {
+        scaling.cores.push(Measured {
             core,
             conditions: Conditions::of(core, &lines)?,
-            points: Point::all(core, &lines)?,
+            figures: Points {
+                points: Point::all(core, &lines)?,
+            },
         });
         progress.step();
     }

@@ -5,12 +5,12 @@ use std::fmt::Write as _;
 use host_tools::model::thousands;
 
 use super::{
-    curve::{CoreScaling, Curve, Item, Scaling},
+    curve::{Curve, Item, Points, Scaling},
     steps::{BEND, Kind, Step, TOLERANCE},
 };
 use crate::table::Table;
 
-fn table(scaling: &CoreScaling, curve: Curve) -> Table {
+fn table(scaling: &Points, curve: Curve) -> Table {
     let (at, per_item) = match curve.item() {
         Item::Triangle => ("triangles", "/ triangle"),
         Item::Pixel => ("width", "/ pixel"),
@@ -55,7 +55,7 @@ pub(super) fn tables(scaling: &Scaling) -> String {
                 scaling.core.title(),
                 curve.title(),
                 scaling.conditions,
-                table(scaling, curve).aligned()
+                table(&scaling.figures, curve).aligned()
             );
         }
     }
@@ -132,7 +132,12 @@ pub(crate) fn section(scaling: &Scaling) -> String {
             core.conditions
         );
         for curve in Curve::ALL {
-            let _ = write!(text, "\nOf {}:\n\n{}", curve.title(), table(core, curve).markdown());
+            let _ = write!(
+                text,
+                "\nOf {}:\n\n{}",
+                curve.title(),
+                table(&core.figures, curve).markdown()
+            );
         }
     }
     let _ = write!(

@@ -73,7 +73,7 @@ pub(super) fn of(scaling: &Scaling) -> Vec<Step> {
     for core in &scaling.cores {
         for curve in Curve::ALL {
             for precision in ["S4", "S8"] {
-                let points = core.curve(curve, precision);
+                let points = core.figures.curve(curve, precision);
                 let mut exponent_before = None;
                 for pair in points.windows(2) {
                     let (before, now) = (pair[0], pair[1]);

@@ -34,7 +34,7 @@ impl Change {
 pub(super) fn changes(before: &Speed, now: &Speed) -> Vec<Change> {
     let mut changes = Vec::new();
     for speed in &now.cores {
-        for scene in &speed.scenes {
+        for scene in &speed.figures.scenes {
             changes.extend(saved(before, speed.core, scene).map(|saved| Change {
                 core: speed.core,
                 scene: scene.scene.clone(),
@@ -52,7 +52,12 @@ pub(super) fn changes(before: &Speed, now: &Speed) -> Vec<Change> {
 
 /// The same scene as it was saved.
 pub(super) fn saved<'a>(before: &'a Speed, core: Core, scene: &Scene) -> Option<&'a Scene> {
-    before.of(core)?.scenes.iter().find(|saved| saved.key() == scene.key())
+    before
+        .of(core)?
+        .figures
+        .scenes
+        .iter()
+        .find(|saved| saved.key() == scene.key())
 }
 
 #[cfg(test)]

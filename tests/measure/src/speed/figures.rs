@@ -3,7 +3,7 @@
 use anyhow::{Context as _, Result};
 use serde::{Deserialize, Serialize};
 
-use crate::{conditions::Conditions, cores::Core, cost::Cost};
+use crate::{cores::Core, cost::Cost, per_core::PerCore};
 
 /// A line of the firmware: sums over the frames, in units of the core's counter.
 #[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
@@ -77,39 +77,19 @@ impl Scene {
     }
 }
 
-/// All scenes of a core, and what they were measured with.
+/// All scenes of a core.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct CoreSpeed {
-    pub(super) core: Core,
-    #[serde(flatten)]
-    pub(super) conditions: Conditions,
+pub(crate) struct Scenes {
     pub(super) scenes: Vec<Scene>,
 }
 
-/// The figures of some or all cores: what `results/speed.json` holds.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) struct Speed {
-    pub(super) cores: Vec<CoreSpeed>,
-}
-
-impl Speed {
-    pub(super) fn of(&self, core: Core) -> Option<&CoreSpeed> {
-        self.cores.iter().find(|speed| speed.core == core)
-    }
-
-    /// These figures, with those of some cores replaced.
-    pub(super) fn with(self, newer: Self) -> Self {
-        let kept = self.cores.into_iter().filter(|speed| newer.of(speed.core).is_none());
-        let mut cores: Vec<_> = kept.collect();
-        cores.extend(newer.cores);
-        cores.sort_by_key(|speed| speed.core);
-        Self { cores }
-    }
-}
+/// What `results/speed.json` holds.
+pub(crate) type Speed = PerCore<Scenes>;
 
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
+    use crate::per_core;
 
     const FRAMES: &str = r#"{"scene":"cube-flat","precision":"S8","mode":"whole","frames":8,"clear":80,"vertices":16,"draw":800,"pixels_drawn":804,"triangles_drawn":44}"#;
 
@@ -127,17 +107,7 @@ pub(super) mod tests {
             pixels_drawn: 5_000,
             triangles_drawn: 10,
         };
-        let core = CoreSpeed {
-            core,
-            conditions: Conditions {
-                date: "2026-01-31".into(),
-                rustc: "rustc 1.95.0".into(),
-                qemu: "7.2".into(),
-                opt_level: "3".into(),
-            },
-            scenes: vec![scene],
-        };
-        Speed { cores: vec![core] }
+        per_core::tests::of(core, Scenes { scenes: vec![scene] })
     }
 
     #[test]
@@ -157,15 +127,5 @@ pub(super) mod tests {
         let of = |line: &str| Line::all(&["opt-level 3".into(), line.into()]).unwrap_err().to_string();
         assert!(of("panicked at src").contains("`panicked at src`"));
         assert!(of(&FRAMES.replace(r#""frames":8"#, r#""frames":0"#)).contains("nothing"));
-    }
-
-    #[test]
-    fn newer_figures_replace_those_of_their_cores_only() {
-        let old = speed(Core::M4, "a", 9_000).with(speed(Core::M0plus, "a", 9_000));
-        let new = old.with(speed(Core::M4, "b", 8_000));
-        let found: Vec<_> = new.cores.iter().map(|c| (c.core, c.scenes[0].frame)).collect();
-        assert_eq!(found, [(Core::M0plus, 9_000), (Core::M4, 8_000)]);
-        let text = serde_json::to_string(&new).unwrap();
-        assert_eq!(serde_json::from_str::<Speed>(&text).unwrap(), new);
     }
 }

@@ -45,7 +45,7 @@ mod tests {
 
     #[test]
     fn a_goal_is_for_one_core_and_precision() {
-        let scene = speed(Core::M0plus, "cube-flat", 9_000).cores[0].scenes[0].clone();
+        let scene = speed(Core::M0plus, "cube-flat", 9_000).cores[0].figures.scenes[0].clone();
         assert_eq!(of(Core::M0plus, &scene), Some(goal(110_000, 160_000)));
         assert_eq!(of(Core::M4, &scene), None);
         assert_eq!(

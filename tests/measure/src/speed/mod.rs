@@ -11,7 +11,7 @@ use anyhow::{Context as _, Result, bail};
 use clap::Args;
 use compare::Change;
 pub(crate) use figures::Speed;
-use figures::{CoreSpeed, Line, Scene};
+use figures::{Line, Scene, Scenes};
 pub(crate) use report::section;
 use serde::Serialize;
 
@@ -20,6 +20,7 @@ use crate::{
     conditions::Conditions,
     cores::Core,
     firmware::{self, Program},
+    per_core::Measured,
     progress::Progress,
     qemu, results,
 };
@@ -136,10 +137,10 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
                 names.join(", ")
             );
         }
-        speed.cores.push(CoreSpeed {
+        speed.cores.push(Measured {
             core,
             conditions,
-            scenes,
+            figures: Scenes { scenes },
         });
     }
     Ok(speed)

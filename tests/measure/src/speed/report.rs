@@ -6,10 +6,10 @@ use host_tools::model::thousands;
 
 use super::{
     compare::{self, Change, THRESHOLD},
-    figures::{CoreSpeed, Speed},
+    figures::{Scenes, Speed},
     goals,
 };
-use crate::table::Table;
+use crate::{per_core::Measured, table::Table};
 
 const HEADINGS: [&str; 14] = [
     "scene",
@@ -28,9 +28,9 @@ const HEADINGS: [&str; 14] = [
     "met",
 ];
 
-fn table(speed: &CoreSpeed) -> Table {
+fn table(speed: &Measured<Scenes>) -> Table {
     let mut table = Table::new(3, &HEADINGS);
-    for scene in &speed.scenes {
+    for scene in &speed.figures.scenes {
         let of = |drawn: u64| scene.frame as f64 / drawn.max(1) as f64;
         let count = |count: u64| thousands(count as usize);
         let goal = goals::of(speed.core, scene);
@@ -82,7 +82,7 @@ pub(super) fn changes(before: &Speed, now: &Speed, changes: &[Change]) -> String
     let scenes = || {
         now.cores
             .iter()
-            .flat_map(|speed| speed.scenes.iter().map(|scene| (speed.core, scene)))
+            .flat_map(|speed| speed.figures.scenes.iter().map(|scene| (speed.core, scene)))
     };
     let compared = scenes()
         .filter(|(core, scene)| compare::saved(before, *core, scene).is_some())
