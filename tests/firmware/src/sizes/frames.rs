@@ -71,7 +71,7 @@ pub(super) const fn picture(width: u32) -> Rectangle {
     Rectangle::new(Point::zero(), Size::new(width, HEIGHT))
 }
 
-/// The memory of one object in one picture: a band of [`ROWS`] rows with `PIXELS` pixels, and `VERTICES` vertices.
+/// The memory of one object in one picture: a band of `PIXELS` pixels, and `VERTICES` vertices.
 #[derive(Debug)]
 pub struct Bands<S, D, V, const PIXELS: usize, const VERTICES: usize> {
     color: [Rgb565; PIXELS],
