@@ -78,6 +78,12 @@ pub(super) fn steps(steps: &[Step]) -> String {
             let _ = writeln!(text, "  {}", what(step));
         }
     }
+    for cause in super::steps::outdated(steps) {
+        let _ = writeln!(
+            text,
+            "\n{cause}:\n  no longer so on these cores; if on no other either, remove it from tests/measure/src/scaling/steps.rs"
+        );
+    }
     let _ = match steps.iter().filter(|step| step.cause().is_none()).count() {
         0 => writeln!(text, "\nNo step is without an explanation."),
         count => writeln!(

@@ -58,6 +58,13 @@ pub(super) enum Kind {
     Bent([f64; 2]),
 }
 
+/// The explanations of steps that are no longer there.
+pub(super) fn outdated(steps: &[Step]) -> Vec<&'static str> {
+    let is_used = |cause: &&str| steps.iter().any(|step| step.cause() == Some(*cause));
+    let causes = EXPLAINED.iter().map(|(.., cause)| *cause);
+    causes.filter(|cause| !is_used(cause)).collect()
+}
+
 impl Step {
     /// Why it is there, if that is known.
     pub(super) fn cause(&self) -> Option<&'static str> {
@@ -119,6 +126,19 @@ mod tests {
             .map(|n| (n, 400_000 + 500 * n))
             .collect();
         assert_eq!(kinds(&points), []);
+    }
+
+    #[test]
+    fn a_step_has_the_cause_of_its_place_or_none() {
+        let doubled = [(50_176, 1_000), (100_352, 2_500)];
+        let of = |curve| of(&scaling(curve, &doubled));
+        let (known, unknown) = (of(Curve::SquareTriangles), of(Curve::SphereTriangles));
+        assert!(known[0].cause().unwrap().contains("smaller than a pixel"));
+        assert_eq!(unknown[0].cause(), None);
+        assert_eq!(
+            (outdated(&known).len(), outdated(&unknown).len()),
+            (EXPLAINED.len() - 1, EXPLAINED.len())
+        );
     }
 
     #[test]
