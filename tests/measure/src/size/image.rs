@@ -232,6 +232,8 @@ mod tests {
         let image = Image::parse(&program()).unwrap();
         let names: Vec<_> = image.symbols.iter().map(|symbol| symbol.name.as_str()).collect();
         assert_eq!(names[0], "BUFFER");
+        let in_flash = image.symbols.iter().filter(|symbol| symbol.is_in_flash);
+        assert_eq!(in_flash.count(), names.len() - 1, "the buffer alone lies in RAM");
         assert!(names.contains(&"core::fmt::write"), "{names:?}");
         assert!(!names.contains(&"$t"));
         assert_eq!(image.address_of("firmware::models::CUBE").unwrap(), 22);

@@ -26,7 +26,7 @@ use crate::cores::Core;
 const PAINT: u32 = 0x5AC3_96E1;
 
 /// The longest that a program may run.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// Where the firmware leaves the checksum of its pictures.
 const CHECKSUM: &str = "firmware::sizes::CHECKSUM";
