@@ -40,10 +40,33 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-cfg=models");
     }
 
-    if env::var("CARGO_CFG_TARGET_OS")? == "none" {
-        println!("cargo::rustc-link-arg-bins=-Tlink.x");
-        println!("cargo::rerun-if-changed=../../memory.x");
+    sizes(&out)?;
+    println!("cargo::rustc-env=OPT_LEVEL={}", env::var("OPT_LEVEL")?);
+    link()
+}
+
+/// Where the board that QEMU runs the programs on has its memory. Cortex-M programs have that of `memory.x`, an RP2040's,
+/// unless they need more or the board has it elsewhere.
+fn link() -> Result<(), Box<dyn Error>> {
+    if env::var("CARGO_CFG_TARGET_OS")? != "none" {
+        return Ok(());
     }
+    let target = env::var("TARGET")?;
+    if target.starts_with("riscv32") {
+        let boards = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("boards");
+        println!("cargo::rerun-if-changed=boards/virt.x");
+        println!("cargo::rustc-link-arg-bins=-T{}", boards.join("virt.x").display());
+    } else {
+        println!("cargo::rerun-if-changed=../../memory.x");
+        if target.starts_with("thumbv8m") {
+            println!("cargo::rustc-link-arg-bins=--defsym=_flash=0x10000000");
+            println!("cargo::rustc-link-arg-bins=--defsym=_ram=0x38000000");
+        }
+        for program in ["bench", "bench_set_up", "scaling"] {
+            println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
+        }
+    }
+    println!("cargo::rustc-link-arg-bins=-Tlink.x");
     Ok(())
 }
 
@@ -73,4 +96,11 @@ fn sphere(around: usize, down: usize) -> Result<String, std::fmt::Error> {
         }
     }
     Ok(obj)
+}
+
+/// The scenes whose size is measured have a model of 500 triangles and few vertices besides.
+fn sizes(out: &Path) -> Result<(), Box<dyn Error>> {
+    fs::write(out.join("ball.obj"), sphere(25, 11)?)?;
+    convert_for_build(out.join("ball.obj"), &Options::default())?;
+    Ok(())
 }

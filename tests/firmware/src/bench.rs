@@ -1,76 +1,77 @@
-//! The bench scenes, and how many instructions a frame of each takes.
-//!
-//! The numbers are QEMU's: with `-icount shift=0` an instruction takes a nanosecond, and the system timer of its MPS2
-//! boards counts 25 times in a microsecond. They are the same on every run and every host, and no cycle counts: wait
-//! states, divisions and taken branches count as one instruction each.
-
-use core::fmt::Debug;
+//! The bench scenes: models of 12 to 5,856 triangles on 320 x 240 pixels, each turned in eight frames.
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
-    pixelcolor::{Rgb565, RgbColor},
+    pixelcolor::Rgb565,
     primitives::Rectangle,
 };
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
-    geometry::{Pose, ScreenVertex, Subpixel},
+    geometry::{NoDepth, Pose, S4, S8, ScreenVertex, Subpixel},
     mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
-    scene::{Object, Stored},
+    scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Shader},
-    target::{DepthBuffer, Frame},
 };
 
-use crate::{console, memory::Memory, models};
+use crate::{
+    console,
+    cost::{Cost, Depth, fail},
+    memory::Memory,
+    models,
+};
 
-/// 320 x 240 in two halves: the memory holds no more, and the triangles are looked through twice.
-const SIZE: Size = Size::new(320, 240);
-const ROWS: u32 = 120;
-/// The pixels of a half.
-pub const PIXELS: usize = (SIZE.width * ROWS) as usize;
+/// The size of the display.
+pub const SIZE: Size = Size::new(320, 240);
+/// Its pixels.
+pub const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 /// Vertices of the largest model.
-pub const VERTICES: usize = 3000;
-
+const VERTICES: usize = 3000;
+/// Triangles of the largest model.
+const TRIANGLES: usize = 6000;
 const FRAMES: u32 = 8;
-/// Instructions to a tick.
-const TICK: u32 = 40;
+const BAND_ROWS: u32 = 16;
 
-/// Runs all scenes; `ticks` reads a timer that counts down from 2^24 - 1.
-pub fn run(memory: &mut Memory<PIXELS, VERTICES>, ticks: fn() -> u32) {
-    let light = Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"));
-    let gouraud = Gouraud::<Rgb565>::new(light);
-    let (close, far) = (view("400", "2.4"), view("160", "3"));
-    let mut both = |name: &str, mesh: &'static Mesh<'static>| {
-        let Memory {
-            color,
-            depth,
-            coarse,
-            fine,
-        } = &mut *memory;
-        let object = Object::new(mesh, gouraud);
-        scene((name, "S4"), object, &close, color, depth, coarse, ticks);
-        scene((name, "S8"), object, &close, color, depth, fine, ticks);
-    };
-    #[cfg(models)]
-    both("spot-gouraud", &models::SPOT);
-    #[cfg(models)]
-    both("suzanne-gouraud", &models::SUZANNE);
-    both("cube-gouraud", &models::CUBE);
-    let Memory { color, depth, .. } = memory;
-    let flat = Flat::<Rgb565>::new(light);
-    let mut coarse = [ScreenVertex::<rasterizer::geometry::S4, _, _>::EMPTY; models::SPHERE.vertex_count()];
-    let mut fine = [ScreenVertex::<rasterizer::geometry::S8, _, _>::EMPTY; models::SPHERE.vertex_count()];
-    let sphere = Object::new(&models::SPHERE, flat);
-    scene(("sphere-flat", "S4"), sphere, &far, color, depth, &mut coarse, ticks);
-    scene(("sphere-flat", "S8"), sphere, &far, color, depth, &mut fine, ticks);
-    let mut coarse = [ScreenVertex::<rasterizer::geometry::S4, _, _>::EMPTY; models::CUBE.vertex_count()];
-    let mut fine = [ScreenVertex::<rasterizer::geometry::S8, _, _>::EMPTY; models::CUBE.vertex_count()];
-    let cube = Object::new(&models::CUBE, flat);
-    convex(("cube-flat", "S4"), cube, &close, color, &mut coarse, ticks);
-    convex(("cube-flat", "S8"), cube, &close, color, &mut fine, ticks);
+/// How a frame is drawn: in bands of so many rows.
+#[derive(Clone, Copy)]
+struct Mode {
+    name: &'static str,
+    rows: u32,
 }
 
-fn view(focal_length: &str, distance: &str) -> Camera {
+const MODES: [Mode; 2] = [
+    Mode {
+        name: "whole",
+        rows: SIZE.height,
+    },
+    Mode {
+        name: "bands of 16",
+        rows: BAND_ROWS,
+    },
+];
+
+/// Measures all scenes, or their set-up alone, and prints a line for each.
+pub fn run<const SET_UP: bool>(memory: &mut Memory<PIXELS>) {
+    let light = sun();
+    let (gouraud, flat) = (Gouraud::new(light), Flat::new(light));
+    let (close, far) = (view("400", "2.4"), view("160", "3"));
+    let mut bench = Bench::<SET_UP>(memory);
+    #[cfg(models)]
+    bench.scene::<u16, _>("spot-gouraud", &models::SPOT, gouraud, &close);
+    #[cfg(models)]
+    bench.scene::<u16, _>("suzanne-gouraud", &models::SUZANNE, gouraud, &close);
+    bench.scene::<u16, _>("cube-gouraud", &models::CUBE, gouraud, &close);
+    bench.scene::<u16, _>("sphere-flat", &models::SPHERE, flat, &far);
+    bench.scene::<NoDepth, _>("cube-flat", &models::CUBE, flat, &close);
+}
+
+/// One directional light.
+pub(crate) fn sun() -> Light {
+    Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"))
+}
+
+/// A camera that looks at the origin, with its focal length in pixels.
+pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
     let near = Distance::lit("0.1");
     let lens = Perspective::with_focal_length(Distance::lit(focal_length), near, Distance::lit("100"));
     let viewport = Rectangle::new(Point::zero(), SIZE);
@@ -78,105 +79,46 @@ fn view(focal_length: &str, distance: &str) -> Camera {
     Camera::at(eye, Rotation::IDENTITY, lens.unwrap_or_else(fail), viewport).unwrap_or_else(fail)
 }
 
-fn pose(frame: u32) -> Pose {
+/// How the model is turned in a frame.
+pub(crate) fn pose(frame: u32) -> Pose {
     Pose::rotated(Rotation::about_x(Angle::turns(30, 512)) * Rotation::about_y(Angle::turns(64 * frame + 20, 512)))
 }
 
-fn halves() -> [Rectangle; 2] {
-    [0, ROWS].map(|top| Rectangle::new(Point::new(0, top as i32), Size::new(SIZE.width, ROWS)))
-}
+struct Bench<'a, const SET_UP: bool>(&'a mut Memory<PIXELS>);
 
-fn scene<S: Subpixel, Sh: Shader<Color = Rgb565>>(
-    name: (&str, &str),
-    object: Object<'_, Sh>,
-    camera: &Camera,
-    color: &mut [Rgb565],
-    depth: &mut [u16],
-    vertices: &mut [ScreenVertex<S, u16, Sh::Varyings>],
-    ticks: fn() -> u32,
-) {
-    let mut total = Cost::default();
-    for frame in 0..FRAMES {
-        let object = object.clone().posed(pose(frame));
-        let start = ticks();
-        let seen = object.project(camera, vertices).unwrap_or_else(fail);
-        total.vertices += since(start, ticks);
-        for area in halves() {
-            color.fill(Rgb565::BLACK);
-            let mut frame = Frame::new(color, depth, area).unwrap_or_else(fail);
-            total.measure(&seen, &mut frame, ticks);
-        }
-    }
-    total.report(name);
-}
-
-fn convex<S: Subpixel, Sh: Shader<Color = Rgb565>>(
-    name: (&str, &str),
-    object: Object<'_, Sh>,
-    camera: &Camera,
-    color: &mut [Rgb565],
-    vertices: &mut [ScreenVertex<S, rasterizer::geometry::NoDepth, Sh::Varyings>],
-    ticks: fn() -> u32,
-) {
-    let mut total = Cost::default();
-    for frame in 0..FRAMES {
-        let object = object.clone().posed(pose(frame));
-        let start = ticks();
-        let seen = object.project(camera, vertices).unwrap_or_else(fail);
-        total.vertices += since(start, ticks);
-        for area in halves() {
-            color.fill(Rgb565::BLACK);
-            let mut frame = Frame::without_depth(color, area).unwrap_or_else(fail);
-            total.measure(&seen, &mut frame, ticks);
-        }
-    }
-    total.report(name);
-}
-
-fn since(start: u32, ticks: fn() -> u32) -> u32 {
-    (start.wrapping_sub(ticks()) & 0xFF_FFFF) * TICK
-}
-
-/// Instructions of all frames of a scene.
-#[derive(Default)]
-struct Cost {
-    clear: u32,
-    vertices: u32,
-    triangles: u32,
-    pixels: u32,
-}
-
-impl Cost {
-    /// Clears the depth, draws, and counts the pixels.
-    fn measure<S: Subpixel, Sh: Shader<Color = Rgb565>, B: DepthBuffer>(
+impl<const SET_UP: bool> Bench<'_, SET_UP> {
+    /// A scene with depth `D`, in all modes and both precisions.
+    fn scene<D: Depth, Sh: Shader<Color = Rgb565>>(
         &mut self,
-        seen: &Stored<'_, '_, S, B::Format, Perspective, Sh>,
-        frame: &mut Frame<'_, Rgb565, B>,
-        ticks: fn() -> u32,
+        name: &str,
+        mesh: &Mesh<'_>,
+        shader: Sh,
+        camera: &Camera,
     ) {
-        let start = ticks();
-        frame.clear_depth();
-        self.clear += since(start, ticks);
-        let start = ticks();
-        let Ok(()) = seen.draw(frame);
-        self.triangles += since(start, ticks);
-        self.pixels += frame.pixels().iter().filter(|&&p| p != Rgb565::BLACK).count() as u32;
+        let object = Object::new(mesh, shader);
+        for mode in MODES {
+            self.measure::<S4, D, _>((name, "S4"), mode, &object, camera);
+            self.measure::<S8, D, _>((name, "S8"), mode, &object, camera);
+        }
     }
 
-    fn report(&self, (scene, precision): (&str, &str)) {
-        let mean = |total: u32| (total + FRAMES / 2) / FRAMES;
-        let all = self.clear + self.vertices + self.triangles;
+    fn measure<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565>>(
+        &mut self,
+        (scene, precision): (&str, &str),
+        mode: Mode,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+    ) {
+        let mut vertices = [ScreenVertex::<S, D, Sh::Varyings>::EMPTY; VERTICES];
+        let mut bins = [0; bin_words(TRIANGLES, SIZE.height, BAND_ROWS)];
+        let mut cost = Cost::<SET_UP>::default();
+        for frame in 0..FRAMES {
+            let object = object.clone().posed(pose(frame));
+            cost.add(&object, camera, mode.rows, &mut vertices, &mut bins, self.0);
+        }
+        let Mode { name, .. } = mode;
         console::line(format_args!(
-            "{scene:16} {precision} {:8} instructions a frame: clear {:6} vertices {:7} triangles {:8}; {:6} pixels",
-            mean(all),
-            mean(self.clear),
-            mean(self.vertices),
-            mean(self.triangles),
-            mean(self.pixels)
+            r#"{{"scene":"{scene}","precision":"{precision}","mode":"{name}",{cost}}}"#
         ));
     }
-}
-
-fn fail<T, E: Debug>(error: E) -> T {
-    panic!("{error:?}")
 }

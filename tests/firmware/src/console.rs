@@ -5,24 +5,20 @@ use core::fmt::Arguments;
 /// Prints a line.
 #[cfg(target_os = "none")]
 pub fn line(text: Arguments<'_>) {
-    cortex_m_semihosting::hprintln!("{}", text);
+    semihosting::println!("{text}");
 }
 
 /// Ends QEMU.
 #[cfg(target_os = "none")]
 pub fn exit() -> ! {
-    loop {
-        cortex_m_semihosting::debug::exit(cortex_m_semihosting::debug::EXIT_SUCCESS);
-    }
+    semihosting::process::exit(0)
 }
 
 /// Reports a panic and ends QEMU with an error.
 #[cfg(target_os = "none")]
 pub fn panic(info: &core::panic::PanicInfo<'_>) -> ! {
     line(format_args!("{info}"));
-    loop {
-        cortex_m_semihosting::debug::exit(cortex_m_semihosting::debug::EXIT_FAILURE);
-    }
+    semihosting::process::exit(1)
 }
 
 #[cfg(not(target_os = "none"))]
@@ -32,4 +28,9 @@ extern crate std;
 #[cfg(not(target_os = "none"))]
 pub fn line(text: Arguments<'_>) {
     std::println!("{text}");
+}
+
+/// Prints how this was compiled: with which `opt-level`.
+pub fn build() {
+    line(format_args!("opt-level {}", env!("OPT_LEVEL")));
 }

@@ -11,7 +11,7 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{Pose, Projection, ScreenVertex, Subpixel},
+    geometry::{Pose, Projection, S4, S8, ScreenVertex, Subpixel},
     numbers::{Angle, Rotation, Vec3},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Shader},
@@ -25,7 +25,7 @@ pub const SIDE: u32 = 200;
 /// Their pixels.
 pub const PIXELS: usize = (SIDE * SIDE) as usize;
 /// Vertices of the largest model.
-pub const VERTICES: usize = 1800;
+const VERTICES: usize = 1800;
 
 /// Triangles of the largest model.
 const TRIANGLES: usize = 1700;
@@ -43,7 +43,7 @@ const PARALLEL: Orthographic = match Orthographic::new(Distance::lit("2.2"), Dis
 };
 
 /// Draws all frames, each as a whole and again in bands, and prints a line for each.
-pub fn run(memory: &mut Memory<PIXELS, VERTICES>) {
+pub fn run(memory: &mut Memory<PIXELS>) {
     let light = Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"));
     let gouraud = Gouraud::<Rgb565>::new(light);
     let gear = Object::new(&models::GEAR, gouraud);
@@ -65,9 +65,9 @@ pub fn run(memory: &mut Memory<PIXELS, VERTICES>) {
 }
 
 /// A convex body, straight into memory without depth, by the normals of its triangles.
-fn flat(memory: &mut Memory<PIXELS, VERTICES>, light: Light) {
+fn flat(memory: &mut Memory<PIXELS>, light: Light) {
     let camera = Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
-    let mut vertices = [ScreenVertex::<rasterizer::geometry::S4, _, _>::EMPTY; models::CUBE.vertex_count()];
+    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; models::CUBE.vertex_count()];
     let pose = Pose::rotated(Rotation::about_x(Angle::degrees(30)) * Rotation::about_y(Angle::degrees(40)));
     let cube = Object::new(&models::CUBE, Flat::<Rgb565>::new(light)).posed(pose);
     let mut frame = Frame::without_depth(&mut memory.color, AREA).unwrap_or_else(fail);
@@ -80,17 +80,11 @@ fn report<P: Projection, Sh: Shader<Color = Rgb565, Varyings = [u16; 1]>>(
     name: (&str, &str, u32),
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
-    memory: &mut Memory<PIXELS, VERTICES>,
+    memory: &mut Memory<PIXELS>,
 ) {
-    let Memory {
-        color,
-        depth,
-        coarse,
-        fine,
-    } = memory;
     let (model, view, frame) = name;
-    let coarse = draw(object, camera, color, depth, coarse);
-    let fine = draw(object, camera, color, depth, fine);
+    let coarse = draw::<_, S4, _>(object, camera, memory);
+    let fine = draw::<_, S8, _>(object, camera, memory);
     console::line(format_args!("{model} {view} {frame} S4 {coarse:08x} S8 {fine:08x}"));
 }
 
@@ -98,11 +92,11 @@ fn report<P: Projection, Sh: Shader<Color = Rgb565, Varyings = [u16; 1]>>(
 fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565>>(
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
-    color: &mut [Rgb565],
-    depth: &mut [u16],
-    vertices: &mut [ScreenVertex<S, u16, Sh::Varyings>],
+    memory: &mut Memory<PIXELS>,
 ) -> u32 {
-    let seen = object.project(camera, vertices).unwrap_or_else(fail);
+    let Memory { color, depth } = memory;
+    let mut vertices = [ScreenVertex::<S, u16, Sh::Varyings>::EMPTY; VERTICES];
+    let seen = object.project(camera, &mut vertices).unwrap_or_else(fail);
     let mut frame = Frame::new(color, depth, AREA).unwrap_or_else(fail);
     frame.clear(BACKGROUND);
     let Ok(()) = seen.draw(&mut frame);

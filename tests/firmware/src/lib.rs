@@ -4,7 +4,14 @@
 
 pub mod bench;
 pub mod console;
+pub mod cost;
+pub mod counter;
+pub mod entry;
 pub mod frames;
 pub mod memory;
 pub mod models;
+pub mod nothing;
 pub mod readme;
+pub mod scaling;
+pub mod sizes;
+pub mod surface;

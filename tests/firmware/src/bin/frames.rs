@@ -4,30 +4,14 @@
 #![cfg_attr(target_os = "none", no_main)]
 
 use firmware::{
-    frames::{self, PIXELS, VERTICES},
+    frames::{self, PIXELS},
     memory::{Memory, Shared},
 };
 
-static MEMORY: Shared<PIXELS, VERTICES> = Memory::shared();
+static MEMORY: Shared<PIXELS> = Memory::shared();
 
 fn run() {
     critical_section::with(|token| frames::run(&mut MEMORY.borrow_ref_mut(token)));
 }
 
-#[cfg(not(target_os = "none"))]
-fn main() {
-    run();
-}
-
-#[cfg(target_os = "none")]
-#[cortex_m_rt::entry]
-fn main() -> ! {
-    run();
-    firmware::console::exit()
-}
-
-#[cfg(target_os = "none")]
-#[panic_handler]
-fn panic(info: &core::panic::PanicInfo<'_>) -> ! {
-    firmware::console::panic(info)
-}
+firmware::entry!(run);

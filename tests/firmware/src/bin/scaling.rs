@@ -1,0 +1,25 @@
+//! Prints what frames of more and more triangles cost, and frames of more and more pixels.
+
+#![cfg_attr(target_os = "none", no_std)]
+#![cfg_attr(target_os = "none", no_main)]
+
+use firmware::{
+    bench::PIXELS,
+    console, counter,
+    memory::{Memory, Shared},
+    scaling::{self, TRIANGLES, VERTICES},
+    surface::{self, Surface},
+};
+
+static MEMORY: Shared<PIXELS> = Memory::shared();
+static SURFACE: surface::Shared<VERTICES, TRIANGLES> = Surface::shared();
+
+fn run() {
+    counter::start();
+    console::build();
+    critical_section::with(|token| {
+        scaling::run(&mut MEMORY.borrow_ref_mut(token), &mut SURFACE.borrow_ref_mut(token));
+    });
+}
+
+firmware::entry!(run);

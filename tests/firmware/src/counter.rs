@@ -1,0 +1,63 @@
+//! Counts instructions in QEMU, as `-icount shift=0` makes it: one takes a nanosecond.
+//!
+//! A count is in units of the core's timer: the system timer of Cortex-M boards ticks at 25 MHz (20 MHz on mps2-an505),
+//! every 40 (50) instructions; on RISC-V the register `mcycle` counts them one by one. On the host nothing is counted.
+
+/// Starts the timer.
+#[cfg(all(target_os = "none", target_arch = "arm"))]
+pub fn start() {
+    if let Some(mut core) = cortex_m::Peripherals::take() {
+        core.SYST
+            .set_clock_source(cortex_m::peripheral::syst::SystClkSource::Core);
+        core.SYST.set_reload(0xFF_FFFF);
+        core.SYST.clear_current();
+        core.SYST.enable_counter();
+    }
+}
+
+/// Starts the timer, which runs already.
+#[cfg(not(all(target_os = "none", target_arch = "arm")))]
+pub const fn start() {}
+
+/// A moment.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment(u32);
+
+impl Moment {
+    /// This one.
+    #[cfg(all(target_os = "none", target_arch = "arm"))]
+    #[must_use]
+    pub fn now() -> Self {
+        Self(cortex_m::peripheral::SYST::get_current())
+    }
+
+    /// This one.
+    #[cfg(all(target_os = "none", target_arch = "riscv32"))]
+    #[must_use]
+    pub fn now() -> Self {
+        Self(riscv::register::mcycle::read() as u32)
+    }
+
+    /// This one.
+    #[cfg(not(target_os = "none"))]
+    #[must_use]
+    pub const fn now() -> Self {
+        Self(0)
+    }
+
+    /// Units since then. The system timer has 24 bits: it goes round after 671 million instructions, `mcycle` after
+    /// 4,295 million.
+    #[cfg_attr(
+        not(target_os = "none"),
+        expect(clippy::missing_const_for_fn, reason = "on a core it reads the timer")
+    )]
+    #[must_use]
+    pub fn elapsed(self) -> u32 {
+        let now = Self::now();
+        if cfg!(target_arch = "arm") {
+            self.0.wrapping_sub(now.0) & 0xFF_FFFF
+        } else {
+            now.0.wrapping_sub(self.0)
+        }
+    }
+}

@@ -1,0 +1,155 @@
+//! The frames of a scene: what is seen in each, and the memory and the loop that draw one.
+//!
+//! All use of the rasterizer's targets is here, so that the scenes do not change with them.
+
+use core::hint::black_box;
+
+use embedded_graphics_core::{
+    geometry::{Point, Size},
+    pixelcolor::{Rgb565, RgbColor},
+    primitives::Rectangle,
+};
+use rasterizer::{
+    camera::Camera,
+    geometry::{Culling, DepthFormat, NoDepth, Pose, Projection, ScreenVertex, Subpixel, Varyings},
+    numbers::{Angle, Rotation, Vec3},
+    raster::Interpolate,
+    scene::Object,
+    shade::Shader,
+    target::{Direct, Frame},
+};
+
+use super::Display;
+
+/// Rows of all pictures.
+pub(super) const HEIGHT: u32 = 240;
+/// Rows of a band.
+pub(super) const ROWS: u32 = 16;
+
+/// What changes from frame to frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct View {
+    /// Where the camera stands; it looks along -z.
+    pub(super) eye: Vec3,
+    /// How far the objects have turned.
+    pub(super) turn: Angle,
+}
+
+impl View {
+    const fn new(distance: &str, degrees: u32) -> Self {
+        Self {
+            eye: Vec3::lit("0", "0", distance),
+            turn: Angle::degrees(degrees),
+        }
+    }
+
+    /// The pose of the objects.
+    pub(super) fn pose(&self) -> Pose {
+        Pose::rotated(Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(self.turn))
+    }
+}
+
+/// As a whole, closer than the near plane allows, from inside, and from afar: so every path of the rasterizer is taken,
+/// and the stack comes as far as it can.
+const VIEWS: [View; 4] = [
+    View::new("4", 40),
+    View::new("1.05", 85),
+    View::new("0.05", 130),
+    View::new("99", 175),
+];
+
+/// Draws a frame for each view. They are hidden from the compiler, as a program's input is.
+pub(super) fn for_each_view(mut draw: impl FnMut(&View) -> Option<()>) -> Option<()> {
+    for view in black_box(&VIEWS) {
+        draw(view)?;
+    }
+    Some(())
+}
+
+/// A picture of so many columns.
+pub(super) const fn picture(width: u32) -> Rectangle {
+    Rectangle::new(Point::zero(), Size::new(width, HEIGHT))
+}
+
+/// The memory of one object in one picture: a band of `PIXELS` pixels, and `VERTICES` vertices.
+#[derive(Debug)]
+pub struct Bands<S, D, V, const PIXELS: usize, const VERTICES: usize> {
+    color: [Rgb565; PIXELS],
+    depth: [D; PIXELS],
+    vertices: [ScreenVertex<S, D, V>; VERTICES],
+}
+
+impl<S: Subpixel, D: DepthFormat, V: Varyings, const PIXELS: usize, const VERTICES: usize>
+    Bands<S, D, V, PIXELS, VERTICES>
+{
+    pub(super) const EMPTY: Self = Self {
+        color: [Rgb565::BLACK; PIXELS],
+        depth: [D::ZERO; PIXELS],
+        vertices: [ScreenVertex::EMPTY; VERTICES],
+    };
+
+    pub(super) const PICTURE: Rectangle = picture(PIXELS as u32 / ROWS);
+}
+
+impl<S, D, V, const PIXELS: usize, const VERTICES: usize> Bands<S, D, V, PIXELS, VERTICES>
+where
+    S: Subpixel,
+    D: DepthFormat + Interpolate + PartialOrd + 'static,
+    V: Varyings + Interpolate,
+{
+    /// Projects the object's vertices once, and draws it into each band.
+    pub(super) fn draw<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling>(
+        &mut self,
+        object: &Object<'_, Sh, K>,
+        camera: &Camera<P>,
+        display: &mut Display,
+    ) -> Option<()> {
+        let seen = object.project(camera, &mut self.vertices).ok()?;
+        for rows in bands(Self::PICTURE) {
+            let mut band = Frame::new(&mut self.color, &mut self.depth, rows).ok()?;
+            band.clear(Rgb565::BLACK);
+            let Ok(()) = seen.draw(&mut band);
+            let Ok(()) = band.present(display);
+        }
+        Some(())
+    }
+}
+
+impl<S, V, const PIXELS: usize, const VERTICES: usize> Bands<S, NoDepth, V, PIXELS, VERTICES>
+where
+    S: Subpixel,
+    V: Varyings + Interpolate,
+{
+    /// The same without depth.
+    pub(super) fn draw_without_depth<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling>(
+        &mut self,
+        object: &Object<'_, Sh, K>,
+        camera: &Camera<P>,
+        display: &mut Display,
+    ) -> Option<()> {
+        let seen = object.project(camera, &mut self.vertices).ok()?;
+        for rows in bands(Self::PICTURE) {
+            let mut band = Frame::without_depth(&mut self.color, rows).ok()?;
+            band.clear(Rgb565::BLACK);
+            let Ok(()) = seen.draw(&mut band);
+            let Ok(()) = band.present(display);
+        }
+        Some(())
+    }
+
+    /// The same straight onto the display, as far as the camera's viewport goes.
+    pub(super) fn draw_directly<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling>(
+        &mut self,
+        object: &Object<'_, Sh, K>,
+        camera: &Camera<P>,
+        display: &mut Display,
+    ) -> Option<()> {
+        object.draw(camera, &mut self.vertices, &mut Direct::new(display)).ok()
+    }
+}
+
+/// The bands of a picture from its top.
+pub(super) fn bands(picture: Rectangle) -> impl Iterator<Item = Rectangle> {
+    let size = Size::new(picture.size.width, ROWS);
+    (0..HEIGHT / ROWS).map(move |band| Rectangle::new(Point::new(0, (band * ROWS) as i32), size))
+}

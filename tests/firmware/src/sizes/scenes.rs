@@ -1,0 +1,320 @@
+//! The scenes. Each but the first two differs from the one before it, or from [`GouraudS4`], in one choice.
+
+use core::hint::black_box;
+
+use embedded_graphics_core::{
+    pixelcolor::{Rgb565, RgbColor},
+    primitives::Rectangle,
+};
+use rasterizer::{
+    camera::{Camera, Distance, Orthographic, Perspective},
+    geometry::{CullNone, DepthFormat, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel},
+    mesh::Mesh,
+    numbers::{Angle, Rotation, Vec3},
+    raster::Interpolate,
+    scene::Object,
+    shade::{Flat, Gouraud, Level, Light, Unlit},
+    target::Frame,
+};
+
+use super::{
+    Display, Scene,
+    frames::{Bands, ROWS, View, bands, for_each_view, picture},
+};
+#[cfg(models)]
+use crate::models::SPOT;
+use crate::models::{BALL, CUBE, SPHERE};
+
+/// The pixels of a band of a picture of 240 columns.
+const NARROW: usize = 240 * ROWS as usize;
+
+const NEAR: Distance = Distance::lit("0.1");
+const FAR: Distance = Distance::lit("100");
+
+const PERSPECTIVE: Perspective = match Perspective::new(Angle::degrees(40), NEAR, FAR) {
+    Ok(lens) => lens,
+    Err(_) => panic!("the lens makes no sense"),
+};
+const ORTHOGRAPHIC: Orthographic = match Orthographic::new(Distance::lit("2.5"), NEAR, FAR) {
+    Ok(lens) => lens,
+    Err(_) => panic!("the lens makes no sense"),
+};
+
+// In constants, as a text that is read at run time brings the code to read it.
+const SUN: Vec3 = Vec3::lit("-1", "2", "3");
+const AMBIENT: Level = Level::lit("0.2");
+const DIFFUSE: Level = Level::lit("0.8");
+
+const PICTURE: Rectangle = picture(240);
+
+fn light() -> Light {
+    Light::new(SUN, AMBIENT, DIFFUSE)
+}
+
+/// A model with light at its vertices and depth, in bands.
+fn gouraud<P: Projection, S: Subpixel, D, const PIXELS: usize, const VERTICES: usize>(
+    mesh: &'static Mesh<'static>,
+    lens: P,
+    memory: &mut Bands<S, D, [u16; 1], PIXELS, VERTICES>,
+    display: &mut Display,
+) -> Option<()>
+where
+    D: DepthFormat + Interpolate + PartialOrd + 'static,
+{
+    let gouraud = Gouraud::new(light());
+    for_each_view(|view| {
+        let camera = camera(view, lens, Bands::<S, D, [u16; 1], PIXELS, VERTICES>::PICTURE)?;
+        memory.draw(&Object::new(mesh, gouraud).posed(view.pose()), &camera, display)
+    })
+}
+
+/// A camera that looks along -z.
+fn camera<P: Projection>(view: &View, lens: P, picture: Rectangle) -> Option<Camera<P>> {
+    Camera::at(view.eye, Rotation::IDENTITY, lens, picture).ok()
+}
+
+/// Nothing at all: the runtime that every other scene has too.
+#[derive(Clone, Copy, Debug)]
+pub struct Empty;
+
+impl Scene for Empty {
+    type Memory = ();
+
+    const MEMORY: () = ();
+
+    fn draw((): &mut (), _: &mut Display) -> Option<()> {
+        Some(())
+    }
+}
+
+/// Nothing but an array of [`BYTES`](Self::BYTES) on the stack, by which the measurement of the stack is checked.
+#[derive(Clone, Copy, Debug)]
+pub struct Deep;
+
+impl Deep {
+    /// What it takes from the stack beyond what [`Empty`] does, but for a few words of a call.
+    pub const BYTES: usize = 4096;
+}
+
+impl Scene for Deep {
+    type Memory = ();
+
+    const MEMORY: () = ();
+
+    #[inline(never)]
+    fn draw((): &mut (), _: &mut Display) -> Option<()> {
+        black_box(&mut [0xFFu8; Self::BYTES]);
+        Some(())
+    }
+}
+
+/// A cube without light or depth, straight onto the display.
+#[derive(Clone, Copy, Debug)]
+pub struct UnlitDirect;
+
+impl Scene for UnlitDirect {
+    type Memory = Bands<S4, NoDepth, [u16; 0], 0, { CUBE.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        for_each_view(|view| {
+            let cube = Object::new(&CUBE, Unlit::new()).posed(view.pose());
+            memory.draw_directly(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
+
+/// A lit cube without depth, straight onto the display.
+#[derive(Clone, Copy, Debug)]
+pub struct FlatDirect;
+
+impl Scene for FlatDirect {
+    type Memory = Bands<S4, NoDepth, [u16; 0], 0, { CUBE.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        let flat = Flat::new(light());
+        for_each_view(|view| {
+            let cube = Object::new(&CUBE, flat).posed(view.pose());
+            memory.draw_directly(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
+
+/// The same in bands.
+#[derive(Clone, Copy, Debug)]
+pub struct FlatBands;
+
+impl Scene for FlatBands {
+    type Memory = Bands<S4, NoDepth, [u16; 0], NARROW, { CUBE.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        let flat = Flat::new(light());
+        for_each_view(|view| {
+            let cube = Object::new(&CUBE, flat).posed(view.pose());
+            memory.draw_without_depth(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
+
+/// A ball of 500 triangles, lit by the triangle, with depth, in bands.
+#[derive(Clone, Copy, Debug)]
+pub struct FlatDepth;
+
+impl Scene for FlatDepth {
+    type Memory = Bands<S4, u16, [u16; 0], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        let flat = Flat::new(light());
+        for_each_view(|view| {
+            let ball = Object::new(&BALL, flat).posed(view.pose());
+            memory.draw(&ball, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
+
+/// The ball with light at its vertices and depth, in bands.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudS4;
+
+impl Scene for GouraudS4 {
+    type Memory = Bands<S4, u16, [u16; 1], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        gouraud(&BALL, PERSPECTIVE, memory, display)
+    }
+}
+
+/// The same with finer sub-pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudS8;
+
+impl Scene for GouraudS8 {
+    type Memory = Bands<S8, u16, [u16; 1], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        gouraud(&BALL, PERSPECTIVE, memory, display)
+    }
+}
+
+/// The same as [`GouraudS4`] with finer depth.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudWide;
+
+impl Scene for GouraudWide {
+    type Memory = Bands<S4, u32, [u16; 1], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        gouraud(&BALL, PERSPECTIVE, memory, display)
+    }
+}
+
+/// The same as [`GouraudS4`] in a parallel projection.
+#[derive(Clone, Copy, Debug)]
+pub struct Parallel;
+
+impl Scene for Parallel {
+    type Memory = Bands<S4, u16, [u16; 1], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        gouraud(&BALL, ORTHOGRAPHIC, memory, display)
+    }
+}
+
+/// The same as [`GouraudS4`] with a model of 5,856 triangles in a picture of 320 columns.
+#[cfg(models)]
+#[derive(Clone, Copy, Debug)]
+pub struct Spot;
+
+#[cfg(models)]
+impl Scene for Spot {
+    type Memory = Bands<S4, u16, [u16; 1], { 320 * ROWS as usize }, { SPOT.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        gouraud(&SPOT, PERSPECTIVE, memory, display)
+    }
+}
+
+/// Everything together: both projections, all ways to keep depth and to light, indices of both widths.
+#[derive(Clone, Copy, Debug)]
+pub struct Everything;
+
+/// What [`Everything`] draws with.
+#[derive(Debug)]
+pub struct Store {
+    color: [Rgb565; NARROW],
+    near: [u16; NARROW],
+    wide: [u32; NARROW],
+    smooth: [ScreenVertex<S8, u16, [u16; 1]>; SPHERE.vertex_count()],
+    faceted: [ScreenVertex<S8, u16, [u16; 0]>; CUBE.vertex_count()],
+    plain: [ScreenVertex<S8, u16, [u16; 0]>; BALL.vertex_count()],
+    smooth_wide: [ScreenVertex<S4, u32, [u16; 1]>; SPHERE.vertex_count()],
+    faceted_wide: [ScreenVertex<S4, u32, [u16; 0]>; CUBE.vertex_count()],
+    convex: Bands<S4, NoDepth, [u16; 0], NARROW, { CUBE.vertex_count() }>,
+}
+
+impl Scene for Everything {
+    type Memory = Store;
+
+    const MEMORY: Store = Store {
+        color: [Rgb565::BLACK; NARROW],
+        near: [0; NARROW],
+        wide: [0; NARROW],
+        smooth: [ScreenVertex::EMPTY; SPHERE.vertex_count()],
+        faceted: [ScreenVertex::EMPTY; CUBE.vertex_count()],
+        plain: [ScreenVertex::EMPTY; BALL.vertex_count()],
+        smooth_wide: [ScreenVertex::EMPTY; SPHERE.vertex_count()],
+        faceted_wide: [ScreenVertex::EMPTY; CUBE.vertex_count()],
+        convex: Bands::EMPTY,
+    };
+
+    fn draw(memory: &mut Store, display: &mut Display) -> Option<()> {
+        let light = light();
+        for_each_view(|view| {
+            let sphere = Object::new(&SPHERE, Gouraud::new(light)).posed(view.pose());
+            let cube = Object::new(&CUBE, Flat::new(light)).posed(view.pose().at(Vec3::X));
+            let ball = Object::new(&BALL, Unlit::new()).culled(CullNone);
+            let bare = Object::new(&CUBE, Unlit::new()).posed(view.pose());
+
+            let eye = camera(view, PERSPECTIVE, PICTURE)?;
+            let smooth = sphere.project(&eye, &mut memory.smooth).ok()?;
+            let faceted = cube.project(&eye, &mut memory.faceted).ok()?;
+            let plain = ball.project(&eye, &mut memory.plain).ok()?;
+            for rows in bands(PICTURE) {
+                let mut band = Frame::new(&mut memory.color, &mut memory.near, rows).ok()?;
+                band.clear(Rgb565::BLACK);
+                let (Ok(()), Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band), plain.draw(&mut band));
+                let Ok(()) = band.present(display);
+            }
+            memory.convex.draw_without_depth(&cube, &eye, display)?;
+            memory.convex.draw_directly(&bare, &eye, display)?;
+
+            let eye = camera(view, ORTHOGRAPHIC, PICTURE)?;
+            let smooth = sphere.project(&eye, &mut memory.smooth_wide).ok()?;
+            let faceted = cube.culled(CullNone).project(&eye, &mut memory.faceted_wide).ok()?;
+            for rows in bands(PICTURE) {
+                let mut band = Frame::new(&mut memory.color, &mut memory.wide, rows).ok()?;
+                band.clear(Rgb565::BLACK);
+                let (Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band));
+                let Ok(()) = band.present(display);
+            }
+            Some(())
+        })
+    }
+}

@@ -1,0 +1,106 @@
+//! Builds the firmware for microcontrollers, runs it in QEMU, and says what frames cost there.
+
+mod conditions;
+mod cores;
+mod cost;
+mod firmware;
+mod frames;
+mod per_core;
+mod progress;
+mod qemu;
+mod results;
+mod scaling;
+mod size;
+mod speed;
+mod table;
+
+use std::{
+    io::{self, ErrorKind, Write as _},
+    process::ExitCode,
+};
+
+use anyhow::{Context as _, Result};
+use clap::{Parser, Subcommand};
+
+const EXAMPLES: &str = "\
+Examples:
+  cargo run --quiet --release --package measure -- frames
+  cargo run --quiet --release --package measure -- speed m0plus m4
+  cargo run --quiet --release --package measure -- scaling
+  cargo run --quiet --release --package measure -- size
+
+Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is missing.";
+
+/// Builds the firmware for microcontrollers, runs it in QEMU, and says whether it draws the same frames there as on the
+/// host and what they cost.
+#[derive(Debug, Parser)]
+#[command(name = "measure", version, after_help = EXAMPLES)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Frames(frames::Arguments),
+    Speed(speed::Arguments),
+    Scaling(scaling::Arguments),
+    Size(size::Arguments),
+}
+
+/// What a command has to say when its files are written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Done {
+    /// For the standard output.
+    text: String,
+    /// Whether all that was compared is as it should be.
+    is_good: bool,
+}
+
+impl Default for Done {
+    fn default() -> Self {
+        Self {
+            text: String::new(),
+            is_good: true,
+        }
+    }
+}
+
+fn main() -> ExitCode {
+    let done = match &Arguments::parse().command {
+        Command::Frames(arguments) => frames::run(arguments),
+        Command::Speed(arguments) => speed::run(arguments),
+        Command::Scaling(arguments) => scaling::run(arguments),
+        Command::Size(arguments) => size::run(arguments),
+    };
+    match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            // If the standard error is closed too, nobody is there to be told.
+            let _ = writeln!(io::stderr(), "error: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Prints to the standard output. A reader that has seen enough and closed the pipe is no fault.
+fn print(text: &str) -> Result<()> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context("the result could not be printed"),
+        _ => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory as _;
+
+    use super::*;
+
+    #[test]
+    fn the_arguments_are_well_formed() {
+        Arguments::command().debug_assert();
+    }
+}
