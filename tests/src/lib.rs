@@ -10,7 +10,7 @@ mod scene;
 mod surface;
 
 pub use counter::Counter;
-pub use picture::{Picture, Stored};
+pub use picture::Picture;
 pub use random::Random;
 pub use recorder::{BusError, Call, Recorder};
 pub use scene::{Placed, Scene, area, pixel_camera};

@@ -6,12 +6,11 @@ use embedded_graphics::{
 };
 use rasterizer::{
     camera::Camera,
-    geometry::{DepthFormat, Projection, S8, ScreenVertex},
+    geometry::{Projection, S8, ScreenVertex},
     mesh::Mesh,
-    raster::Interpolate,
     scene::Object,
     shade::Shader,
-    target::{DepthBuffer, Frame},
+    target::{Frame, StoredDepth},
 };
 
 /// The pixels of a part of the display and their stored depth, row by row.
@@ -25,14 +24,7 @@ pub struct Picture<C, D> {
     pub depth: Vec<D>,
 }
 
-/// A depth that is stored.
-pub trait Stored: DepthFormat + Interpolate + PartialOrd + 'static {}
-impl<D: DepthFormat + Interpolate + PartialOrd + 'static> Stored for D {}
-
-impl<C: PixelColor, D: Stored> Picture<C, D>
-where
-    for<'a> &'a mut [D]: DepthBuffer<Format = D>,
-{
+impl<C: PixelColor, D: StoredDepth> Picture<C, D> {
     /// Nothing but background.
     #[must_use]
     pub fn empty(area: Rectangle, background: C) -> Self {

@@ -17,7 +17,7 @@
 //! boundary moves by q pixels and E by -r, and by one more pixel where that makes E negative. Nothing is ever rounded,
 //! and no value needs more than 32 bits at any sub-pixel precision.
 
-use crate::geometry::Subpixel;
+use crate::{geometry::Subpixel, numbers::divide_small};
 
 /// An edge on its way down the rows.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +89,7 @@ fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     if (rest as u32) < dy as u32 {
         return (is_left, rest);
     }
-    let quotient = dx.unsigned_abs().checked_div(dy as u32).unwrap_or(0) as i32;
+    let quotient = divide_small(dx.unsigned_abs(), dy as u32) as i32;
     let rest = dx.abs() - quotient * dy;
     match (dx >= 0, rest == 0) {
         (true, _) => (quotient, rest),

@@ -31,11 +31,17 @@ pub trait DepthBuffer {
     );
 }
 
+/// A format of depth that a buffer can keep: `u16` or `u32`. The depth of 0 has no bit set.
+pub trait StoredDepth: DepthFormat + Interpolate + PartialOrd + bytemuck::Pod {}
+
+impl StoredDepth for u16 {}
+impl StoredDepth for u32 {}
+
 /// From so many pixels on, taking two at a time pays for a call: the loop costs 12 to 16 instructions a pixel instead of 15
 /// to 19.
 const LONG_RUN: usize = 16;
 
-impl<D: DepthFormat + Interpolate + PartialOrd + 'static> DepthBuffer for &mut [D] {
+impl<D: StoredDepth> DepthBuffer for &mut [D] {
     type Format = D;
 
     const IS_STORED: bool = true;
@@ -45,7 +51,11 @@ impl<D: DepthFormat + Interpolate + PartialOrd + 'static> DepthBuffer for &mut [
     }
 
     fn clear(&mut self) {
-        set_all(self, D::ZERO);
+        // All bits of a zero are 0, in words of any size.
+        let (start, words, end) = bytemuck::pod_align_to_mut::<D, u32>(self);
+        start.fill(D::ZERO);
+        set_all(words, 0);
+        end.fill(D::ZERO);
     }
 
     #[inline(always)]

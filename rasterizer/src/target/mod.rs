@@ -8,7 +8,7 @@ mod frame;
 
 pub use bands::{BandAreas, Bands, StreamError};
 pub use big_endian::Rgb565Be;
-pub use depth::DepthBuffer;
+pub use depth::{DepthBuffer, StoredDepth};
 pub use direct::Direct;
 use embedded_graphics_core::pixelcolor::PixelColor;
 pub use frame::{Frame, FrameError};

@@ -16,7 +16,7 @@ use rasterizer::{
     raster::Interpolate,
     scene::Object,
     shade::Shader,
-    target::{Direct, Frame},
+    target::{Direct, Frame, StoredDepth},
 };
 
 use super::Display;
@@ -94,7 +94,7 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings, const PIXELS: usize, const VERTIC
 impl<S, D, V, const PIXELS: usize, const VERTICES: usize> Bands<S, D, V, PIXELS, VERTICES>
 where
     S: Subpixel,
-    D: DepthFormat + Interpolate + PartialOrd + 'static,
+    D: StoredDepth,
     V: Varyings + Interpolate,
 {
     /// Projects the object's vertices once, and draws it into each band.

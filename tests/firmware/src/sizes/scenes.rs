@@ -8,13 +8,12 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{CullNone, DepthFormat, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel},
+    geometry::{CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel},
     mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
-    raster::Interpolate,
     scene::Object,
     shade::{Flat, Gouraud, Level, Light, Unlit},
-    target::Frame,
+    target::{Frame, StoredDepth},
 };
 
 use super::{
@@ -59,7 +58,7 @@ fn gouraud<P: Projection, S: Subpixel, D, const PIXELS: usize, const VERTICES: u
     display: &mut Display,
 ) -> Option<()>
 where
-    D: DepthFormat + Interpolate + PartialOrd + 'static,
+    D: StoredDepth,
 {
     let gouraud = Gouraud::new(light());
     for_each_view(|view| {
