@@ -144,7 +144,7 @@ impl<D: Interpolate + PartialOrd, V: Interpolate> Run<D, V> {
 /// and then have too few registers for them: 16 to 18 instructions a pixel on the Cortex-M4 instead of 12 to 15. It is no
 /// instruction itself.
 #[inline(always)]
-const fn roll() {
+pub(super) const fn roll() {
     black_box(());
 }
 

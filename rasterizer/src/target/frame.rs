@@ -4,7 +4,10 @@ use core::convert::Infallible;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
-use super::{DepthBuffer, Target, depth::set_all};
+use super::{
+    DepthBuffer, Target,
+    depth::{roll, set_all},
+};
 use crate::{
     geometry::{NoDepth, Subpixel, Varyings},
     raster::{Interpolate, Layout, Triangle, Window},
@@ -152,12 +155,14 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
     ) -> Result<(), Infallible> {
         triangle.for_each_span(window, self.layout(), |span| {
             if let Some(colors) = self.color.get_mut(span.start as usize..span.end as usize) {
-                // One test for eight stores; `fill` tests after each.
-                let (eights, rest) = colors.as_chunks_mut::<8>();
-                for eight in eights {
-                    *eight = [color; 8];
+                // One test for sixteen stores; `fill` tests after each.
+                let (runs, rest) = colors.as_chunks_mut::<16>();
+                for run in runs {
+                    roll();
+                    *run = [color; 16];
                 }
                 for pixel in rest {
+                    roll();
                     *pixel = color;
                 }
             }
