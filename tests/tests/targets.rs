@@ -6,41 +6,19 @@ use embedded_graphics::{
     pixelcolor::{Bgr565, BinaryColor, Gray8, PixelColor, Rgb565, Rgb888, RgbColor},
     primitives::{PointsIter, Rectangle},
 };
-use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{NoDepth, S8, ScreenVertex},
-    mesh::{Material, Mesh},
+    mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
     scene::{DrawError, Object},
-    shade::{Gouraud, Level, Light, MeshVertex, Shader, Unlit},
+    shade::{Gouraud, Level, Light, Shader, Unlit},
     target::{Direct, Frame, FrameError},
 };
-use rasterizer_tests::{BusError, Call, Picture, Recorder, Surface, area};
+use rasterizer_tests::{BusError, Call, Picture, Recorder, Surface, area, bands::Position};
 
 const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
 const DISPLAY: Rectangle = area(0, 0, 61, 47);
-
-/// A user's own shader: the position is the colour.
-#[derive(Clone, Debug)]
-struct Position;
-
-impl Shader for Position {
-    type Color = Rgb888;
-    type Varyings = [u16; 3];
-    type Surface = ();
-
-    fn surface(&self, _: &Material) {}
-
-    fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 3] {
-        vertex.position().map(|c| c as u16 ^ 0x8000)
-    }
-
-    fn pixel(&self, (): &(), position: [U16F16; 3]) -> Rgb888 {
-        let [red, green, blue] = position.map(|c| (c.to_bits() >> 24) as u8);
-        Rgb888::new(red, green, blue)
-    }
-}
 
 fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
     Gouraud::new(Light::new(

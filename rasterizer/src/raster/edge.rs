@@ -83,7 +83,7 @@ impl Edge {
 
 /// ⌊dx / dy⌋ and the rest, for dy > 0. Most edges are steeper than 45 degrees or near it: no division for them.
 #[inline(always)]
-fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
+const fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     let is_left = dx >> 31;
     let rest = dx + (dy & is_left);
     if (rest as u32) < dy as u32 {
