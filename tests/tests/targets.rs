@@ -42,7 +42,7 @@ impl Shader for Position {
     }
 }
 
-fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
+const fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
     Gouraud::new(Light::new(
         Vec3::lit("1", "2", "3"),
         Level::lit("0.2"),
