@@ -72,6 +72,8 @@ pub(crate) struct Transform<P: Projection> {
 
 impl<P: Projection> Transform<P> {
     /// Pose, camera, focal length and the mesh's own scale in one matrix.
+    // The caller's frame would hold all of it while triangles are drawn.
+    #[inline(never)]
     pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<Self, PoseError> {
         let projection = camera.projection();
         let viewport = camera.viewport();
@@ -205,15 +207,10 @@ fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Fl
     let (translation, eye) = (pose.translation.to_bits(), camera.eye().to_bits());
     let mut from_eye = [0i64; 3];
     for axis in 0..3 {
-        // Q30 x Q16, three times: below 2^63. To Q32, times the scale in Q16.
+        // Q30 x Q16, three times: below 2^63. To Q32.
         let turned = dot(&rows[axis], &offset) >> 14;
-        let scale = i64::from(pose.scale.to_bits());
-        let scaled = (turned >> 16)
-            .checked_mul(scale)
-            .and_then(|upper| upper.checked_add(((turned & 0xFFFF) * scale) >> 16))
-            .ok_or(PoseError)?;
         let shift = (i64::from(translation[axis]) - i64::from(eye[axis])) << 16;
-        from_eye[axis] = scaled.checked_add(shift).ok_or(PoseError)?;
+        from_eye[axis] = scaled_and_shifted(turned, pose.scale.to_bits(), shift).ok_or(PoseError)?;
     }
     // To 31 bits, so that products with the camera's axes in Q30 add up in 64.
     let largest = from_eye.iter().fold(0, |bits, c| bits | c.unsigned_abs());
@@ -223,6 +220,14 @@ fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Fl
         let sum: i64 = (0..3).map(|k| i64::from(camera.axes()[row][k]) * from_eye[k]).sum();
         Float::new(sum, down - 62)
     }))
+}
+
+/// A coordinate in Q32 times a scale in Q16, and moved; nothing if it leaves the range.
+#[inline(never)]
+fn scaled_and_shifted(c: i64, scale: u32, shift: i64) -> Option<i64> {
+    let scale = i64::from(scale);
+    let upper = (c >> 16).checked_mul(scale)?;
+    upper.checked_add(((c & 0xFFFF) * scale) >> 16)?.checked_add(shift)
 }
 
 #[cfg(test)]
