@@ -90,12 +90,15 @@ static CUBE: Mesh<'static> = Mesh::new_const(Tables {
 const WIDTH: u32 = 64;
 const HEIGHT: u32 = 48;
 const PIXELS: usize = (WIDTH * HEIGHT) as usize;
+const NEAR: Distance = Distance::lit("0.1");
+const FAR: Distance = Distance::lit("10");
+const EYE: Vec3 = Vec3::lit("0", "0", "4");
 
 /// The cube as text, two rows of pixels in one of text.
 pub(crate) fn picture() -> Result<String, Box<dyn std::error::Error>> {
     let screen = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-    let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("10"))?;
-    let camera = Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, lens, screen)?;
+    let lens = Perspective::new(Angle::degrees(50), NEAR, FAR)?;
+    let camera = Camera::at(EYE, Rotation::IDENTITY, lens, screen)?;
     let pose = Pose::rotated(Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::degrees(30)));
 
     let (mut color, mut depth) = ([Gray8::new(40); PIXELS], [0u16; PIXELS]);

@@ -29,9 +29,14 @@
 //!     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
 //! });
 //!
+//! // In constants, so that the texts are read by the compiler.
+//! const NEAR: Distance = Distance::lit("0.1");
+//! const FAR: Distance = Distance::lit("10");
+//! const EYE: Vec3 = Vec3::lit("0", "0", "3");
+//!
 //! let display = Rectangle::new(Point::zero(), Size::new(16, 8));
-//! let lens = Perspective::new(Angle::degrees(40), Distance::lit("0.1"), Distance::lit("10"))?;
-//! let camera = Camera::look_at(Vec3::lit("0", "0", "3"), Vec3::ZERO, Vec3::Y, lens, display)?;
+//! let lens = Perspective::new(Angle::degrees(40), NEAR, FAR)?;
+//! let camera = Camera::look_at(EYE, Vec3::ZERO, Vec3::Y, lens, display)?;
 //!
 //! let mut color = [Rgb565::BLACK; 16 * 8];
 //! let mut depth = [0u16; 16 * 8];

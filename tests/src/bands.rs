@@ -51,7 +51,7 @@ impl Shader for Position {
 
 /// From above.
 #[must_use]
-pub fn light() -> Light {
+pub const fn light() -> Light {
     Light::new(Vec3::lit("1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"))
 }
 

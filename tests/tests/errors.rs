@@ -40,7 +40,7 @@ impl Shader for Textured {
     }
 }
 
-fn light() -> Light {
+const fn light() -> Light {
     Light::new(Vec3::Z, Level::ONE, Level::ZERO)
 }
 

@@ -20,7 +20,7 @@ use rasterizer_tests::{BusError, Call, Picture, Recorder, Surface, area, bands::
 const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
 const DISPLAY: Rectangle = area(0, 0, 61, 47);
 
-fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
+const fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
     Gouraud::new(Light::new(
         Vec3::lit("1", "2", "3"),
         Level::lit("0.2"),

@@ -244,7 +244,7 @@ impl View {
         ])
     }
 
-    pub(super) fn light() -> Light {
+    pub(super) const fn light() -> Light {
         let [x, y, z] = LIGHT;
         Light::new(Vec3::lit(x, y, z), Level::lit(AMBIENT), Level::lit(DIFFUSE))
     }

@@ -39,6 +39,7 @@ const PLANES: [Plane; 6] = [
 
 impl Plane {
     /// How far inside the plane a vertex lies, in some unit; negative outside.
+    #[inline(never)]
     fn distance<P: Projection, V>(self, vertex: &ClipVertex<V>, transform: &Transform<P>) -> i64 {
         let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(i64::from);
         let w = i64::from(transform.lens.w(vertex.z));
@@ -102,6 +103,7 @@ pub(crate) fn clip<P: Projection, V: Varyings>(
 }
 
 /// Where the edge from `inside` to `outside` meets the plane from which they are so far.
+#[inline(never)]
 fn crossing<V: Varyings>(
     inside: &ClipVertex<V>,
     outside: &ClipVertex<V>,

@@ -6,7 +6,7 @@ use super::{
 use crate::{
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Float, mul_high},
+    numbers::{Float, dot, mul_high},
 };
 
 /// A point in clip space.
@@ -39,6 +39,7 @@ const FRACTION_BITS: u32 = 14;
 
 impl Row {
     /// The entries and the translation in units of 2^`unit`.
+    #[inline(never)]
     fn new(entries: [Float; 3], translation: Float, unit: i32) -> Self {
         let entries = entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
         Self {
@@ -71,6 +72,8 @@ pub(crate) struct Transform<P: Projection> {
 
 impl<P: Projection> Transform<P> {
     /// Pose, camera, focal length and the mesh's own scale in one matrix.
+    // The caller's frame would hold all of it while triangles are drawn.
+    #[inline(never)]
     pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<Self, PoseError> {
         let projection = camera.projection();
         let viewport = camera.viewport();
@@ -80,28 +83,15 @@ impl<P: Projection> Transform<P> {
             .magnification(viewport.size.height)
             .times(Float::new(1, -(GUARD_BITS as i32)));
         let down = Float::new(-1, 0).times(across);
-        let magnify = |row: usize, value: Float| match row {
-            0 => value.times(across),
-            1 => value.times(down),
-            _ => value,
-        };
-        let rotation = pose.rotation.rows().map(|row| row.map(|c| c.to_bits()));
+        let magnification = [across, down, Float::new(1, 0)];
+        let columns = pose.rotation.inverse().to_bits();
         let entries: [[Float; 3]; 3] = core::array::from_fn(|row| {
-            core::array::from_fn(|column| {
-                let sum: i64 = (0..3)
-                    .map(|k| i64::from(camera.axes()[row][k]) * i64::from(rotation[k][column]))
-                    .sum();
-                magnify(row, Float::new(sum, -60).times(quantum))
-            })
+            core::array::from_fn(|column| entry(&camera.axes()[row], &columns[column], quantum, magnification[row]))
         });
         let origin = origin(camera, pose, tables)?;
-        let translation: [Float; 3] = core::array::from_fn(|row| magnify(row, origin[row]));
+        let translation: [Float; 3] = core::array::from_fn(|row| origin[row].times(magnification[row]));
 
-        // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
-        let magnitude = |row: usize| {
-            let largest = entries[row].iter().map(|m| m.magnitude() + 15);
-            largest.fold(translation[row].magnitude(), i32::max) + 2
-        };
+        let magnitude = |row: usize| magnitude(&entries[row], translation[row]);
         let units = projection
             .units(magnitude(0).max(magnitude(1)), magnitude(2))
             .ok_or(PoseError)?;
@@ -128,6 +118,14 @@ impl<P: Projection> Transform<P> {
             z: self.rows[2].apply(p),
             varyings,
         }
+    }
+
+    /// The same where there are few: a function that is called.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn few_to_clip(&self, position: [i16; 3]) -> [i32; 3] {
+        let ClipVertex { x, y, z, .. } = self.object_to_clip(position, ());
+        [x, y, z]
     }
 
     /// Clip space to the screen; the result is not on the screen if the vertex is outside near plane, far plane or
@@ -166,13 +164,14 @@ impl<P: Projection> Transform<P> {
     /// Whether a box is certain to lie outside the picture: all its corners beyond one and the same plane.
     pub(crate) fn hides(&self, cuboid: &BoundingBox) -> bool {
         // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
-        let half = self.size.map(|pixels| i64::from(pixels / 2 + 2));
+        let half = self.size.map(|pixels| (pixels / 2 + 2) as i32);
         let mut beyond_all = 0b11_1111u8;
         for corner in cuboid.corners() {
-            let ClipVertex { x, y, z, .. } = self.object_to_clip(corner, ());
-            // Beyond the near plane w may be negative, and the sides are still planes through the eye.
-            let w = i64::from(self.lens.w(z));
-            let [x, y] = [x, y].map(|c| i64::from(c) << GUARD_BITS);
+            let [x, y, z] = self.few_to_clip(corner);
+            // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31 as the viewport
+            // is no wider than the guard band. Beyond the near plane it may be negative, and the sides are still planes
+            // through the eye: upwards is outwards there too.
+            let w = (self.lens.w(z) >> GUARD_BITS) + 1;
             let beyond = [
                 z < self.near,
                 z > self.far,
@@ -187,22 +186,31 @@ impl<P: Projection> Transform<P> {
     }
 }
 
+/// An entry of the matrix. Like the rest of what makes one, it is called rather than inlined: it is used for each of nine
+/// entries, and once a frame.
+#[inline(never)]
+fn entry(axis: &[i32; 3], column: &[i32; 3], quantum: Float, magnification: Float) -> Float {
+    Float::new(dot(axis, column), -60).times(quantum).times(magnification)
+}
+
+/// The least n for which a coordinate stays below 2^n.
+#[inline(never)]
+fn magnitude(entries: &[Float; 3], translation: Float) -> i32 {
+    // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
+    let largest = entries.iter().map(|m| m.magnitude() + 15);
+    largest.fold(translation.magnitude(), i32::max) + 2
+}
+
 /// Where position (0, 0, 0) of the table lies in view space: right, up, forward.
 fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Float; 3], PoseError> {
-    let rows = pose.rotation.rows().map(|row| row.map(|c| i64::from(c.to_bits())));
-    let offset = tables.offset.to_bits().map(i64::from);
+    let (rows, offset) = (pose.rotation.to_bits(), tables.offset.to_bits());
     let (translation, eye) = (pose.translation.to_bits(), camera.eye().to_bits());
     let mut from_eye = [0i64; 3];
     for axis in 0..3 {
-        // Q30 x Q16, three times: below 2^63. To Q32, times the scale in Q16.
-        let turned: i64 = (0..3).map(|k| rows[axis][k] * offset[k]).sum::<i64>() >> 14;
-        let scale = i64::from(pose.scale.to_bits());
-        let scaled = (turned >> 16)
-            .checked_mul(scale)
-            .and_then(|upper| upper.checked_add(((turned & 0xFFFF) * scale) >> 16))
-            .ok_or(PoseError)?;
+        // Q30 x Q16, three times: below 2^63. To Q32.
+        let turned = dot(&rows[axis], &offset) >> 14;
         let shift = (i64::from(translation[axis]) - i64::from(eye[axis])) << 16;
-        from_eye[axis] = scaled.checked_add(shift).ok_or(PoseError)?;
+        from_eye[axis] = scaled_and_shifted(turned, pose.scale.to_bits(), shift).ok_or(PoseError)?;
     }
     // To 31 bits, so that products with the camera's axes in Q30 add up in 64.
     let largest = from_eye.iter().fold(0, |bits, c| bits | c.unsigned_abs());
@@ -212,6 +220,14 @@ fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Fl
         let sum: i64 = (0..3).map(|k| i64::from(camera.axes()[row][k]) * from_eye[k]).sum();
         Float::new(sum, down - 62)
     }))
+}
+
+/// A coordinate in Q32 times a scale in Q16, and moved; nothing if it leaves the range.
+#[inline(never)]
+fn scaled_and_shifted(c: i64, scale: u32, shift: i64) -> Option<i64> {
+    let scale = i64::from(scale);
+    let upper = (c >> 16).checked_mul(scale)?;
+    upper.checked_add(((c & 0xFFFF) * scale) >> 16)?.checked_add(shift)
 }
 
 #[cfg(test)]

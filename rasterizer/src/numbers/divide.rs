@@ -1,4 +1,7 @@
 //! Exact division of 64-bit numbers by one divisor, again and again, without a 64-bit division routine.
+//!
+//! Both steps are called rather than inlined, with 64-bit arithmetic at several places of every scene: they are for
+//! clipping, slivers and 32-bit depth.
 
 use super::reciprocal::Reciprocal;
 
@@ -16,6 +19,7 @@ pub(crate) struct Divisor {
 
 impl Divisor {
     /// A divisor; 0 is taken as 1.
+    #[inline(never)]
     pub(crate) const fn new(value: u64) -> Self {
         let value = if value == 0 { 1 } else { value };
         let leading_zeros = value.leading_zeros();
@@ -30,6 +34,7 @@ impl Divisor {
     }
 
     /// ⌊`dividend` / divisor⌋ and the remainder, for a dividend below 2<sup>62</sup> in magnitude.
+    #[inline(never)]
     pub(crate) const fn divide(self, dividend: i64) -> (i64, i64) {
         let mut rest = dividend.unsigned_abs();
         let mut quotient = 0;

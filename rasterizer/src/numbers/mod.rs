@@ -28,6 +28,6 @@ pub(crate) use narrow::{divide_small, leading_zeros, mul_high, mul_high_unsigned
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;
 pub use rotation::Rotation;
-pub(crate) use rotation::cross;
+pub(crate) use rotation::{cross, dot};
 pub use scale::Scale;
 pub use vector::{Scalar, Vec3};

@@ -1,12 +1,13 @@
 //! The inverse square root, from a table and three Newton steps, and what it is for: unit vectors.
 
-/// The inverse square root in the middle of each of 96 intervals of [1/4, 1), in 256ths, less 256.
-const SEED: [u8; 96] = {
-    let mut seed = [0; 96];
-    let mut interval = 0;
-    while interval < 96 {
-        // The middle of the interval is (2 (i + 32) + 1) / 256; 256 times its inverse root, rounded.
-        let middle = 2 * (interval as u64 + 32) + 1;
+/// The inverse square root in the middle of each of 128 intervals of [0, 1), in 256ths, less 256. Those below 1/4 are
+/// never looked up: with them 7 bits are an index that needs no check.
+const SEED: [u8; 128] = {
+    let mut seed = [0; 128];
+    let mut interval = 32;
+    while interval < 128 {
+        // The middle of the interval is (2 i + 1) / 256; 256 times its inverse root, rounded.
+        let middle = 2 * interval as u64 + 1;
         let twice = ((1u64 << 26) / middle).isqrt();
         seed[interval] = (twice.div_ceil(2) - 256) as u8;
         interval += 1;
@@ -28,7 +29,7 @@ pub(crate) const fn inverse_square_root(value: u64) -> (u32, i32) {
 
 /// 2^46 / sqrt(m) for 2^30 <= m < 2^32.
 const fn mantissa(m: u64) -> u32 {
-    let mut y = (256 + SEED[(m >> 25) as usize - 32] as u64) << 22;
+    let mut y = (256 + SEED[(m >> 25) as usize & 127] as u64) << 22;
     let mut step = 0;
     while step < 3 {
         // y (3 - m y^2) / 2 in Q30
@@ -41,18 +42,29 @@ const fn mantissa(m: u64) -> u32 {
 }
 
 /// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>; nothing for a zero vector.
-pub(crate) fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
+#[inline(never)]
+pub(crate) const fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
     let largest = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
     if largest == 0 {
         return None;
     }
     // To 30 bits, so that three squares add up in 64.
     let shift = 34 - largest.leading_zeros() as i32;
-    let v = v.map(|c| if shift > 0 { c >> shift } else { c << -shift });
-    let (mantissa, exponent) = inverse_square_root(v.iter().map(|c| (c * c) as u64).sum());
+    let (mut v, mut squares, mut axis) = (v, 0, 0);
+    while axis < 3 {
+        v[axis] = if shift > 0 { v[axis] >> shift } else { v[axis] << -shift };
+        squares += (v[axis] * v[axis]) as u64;
+        axis += 1;
+    }
+    let (mantissa, exponent) = inverse_square_root(squares);
     // c * mantissa * 2^exponent in Q30, rounded; c has 30 bits, the mantissa 31, and exponent + 30 is about -31.
     let down = -(exponent + 30);
-    Some(v.map(|c| ((c * i64::from(mantissa) + (1 << (down - 1))) >> down) as i32))
+    let mut unit = [0; 3];
+    while axis > 0 {
+        axis -= 1;
+        unit[axis] = ((v[axis] * mantissa as i64 + (1 << (down - 1))) >> down) as i32;
+    }
+    Some(unit)
 }
 
 #[cfg(test)]

@@ -40,6 +40,11 @@ impl Rotation {
         &self.rows
     }
 
+    /// The rows in steps of 2<sup>-30</sup>.
+    pub(crate) fn to_bits(self) -> [[i32; 3]; 3] {
+        self.rows.map(|row| row.map(I2F30::to_bits))
+    }
+
     /// About the x axis: a positive angle takes y towards z.
     #[must_use]
     pub fn about_x(angle: Angle) -> Self {
@@ -71,13 +76,10 @@ impl Rotation {
     #[must_use]
     pub fn apply(&self, v: Vec3) -> Vec3 {
         let v = v.to_bits();
-        let row = |i: usize| {
-            let sum: i64 = (0..3)
-                .map(|j| i64::from(self.rows[i][j].to_bits()) * i64::from(v[j]))
-                .sum();
-            ((sum + (1 << 29)) >> 30).clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
-        };
-        Vec3::from_bits([row(0), row(1), row(2)])
+        Vec3::from_bits(self.to_bits().map(|row| {
+            let sum = (dot(&row, &v) + (1 << 29)) >> 30;
+            sum.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
+        }))
     }
 
     /// The nearest directions at right angles of length one: the first row keeps its direction, the second its plane
@@ -96,6 +98,12 @@ impl Rotation {
     }
 }
 
+/// The scalar product, exactly, if it fits 64 bits. Matrices are made of it, once a frame: a function that is called.
+#[inline(never)]
+pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
+    a.iter().zip(b).map(|(&a, &b)| i64::from(a) * i64::from(b)).sum()
+}
+
 /// The cross product of Q30 vectors of length one.
 pub(crate) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     core::array::from_fn(|i| {
@@ -110,13 +118,10 @@ impl Mul for Rotation {
     type Output = Self;
 
     fn mul(self, first: Self) -> Self {
-        Self::from_rows(core::array::from_fn(|i| {
-            core::array::from_fn(|j| {
-                let sum: i64 = (0..3)
-                    .map(|k| i64::from(self.rows[i][k].to_bits()) * i64::from(first.rows[k][j].to_bits()))
-                    .sum();
-                I2F30::from_bits(((sum + (1 << 29)) >> 30) as i32)
-            })
+        let columns = first.inverse().to_bits();
+        Self::from_rows(self.to_bits().map(|row| {
+            let product = |column| I2F30::from_bits(((dot(&row, &column) + (1 << 29)) >> 30) as i32);
+            columns.map(product)
         }))
     }
 }

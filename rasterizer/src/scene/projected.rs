@@ -261,11 +261,18 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
     #[inline(never)]
     fn clipped(&self, index: usize) -> Polygon<V::Subpixel, V::Depth, Sh> {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
-        let triangle = indices.map(|index| self.in_clip_space(index));
-        clip(triangle, &self.transform)
-            .iter()
-            .map(|&vertex| self.transform.clip_to_screen(vertex))
-            .collect()
+        let triangle = indices.map(|index| {
+            let vertex = MeshVertex::new(self.tables, index);
+            let [x, y, z] = self.transform.few_to_clip(vertex.position());
+            let varyings = self.shader.vertex(&vertex);
+            ClipVertex { x, y, z, varyings }
+        });
+        let mut corners = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+        for &vertex in &clip(triangle, &self.transform) {
+            // There are as many places as `clip` has.
+            let _ = corners.push(self.transform.clip_to_screen(vertex));
+        }
+        corners
     }
 }
 

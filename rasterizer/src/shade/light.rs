@@ -4,7 +4,7 @@ use fixed::types::U1F15;
 
 use crate::{
     geometry::Pose,
-    numbers::{Vec3, unit},
+    numbers::{Vec3, dot, unit},
 };
 
 /// A brightness: Q1.15, where 1 is full.
@@ -21,36 +21,39 @@ pub struct Light {
     factors: [i16; 3],
     ambient: Level,
     diffuse: Level,
+    /// 2^6 / (127 2^14) x `diffuse` / 2^15 in Q30, rounded down: what turns 2^-6 of the factors' product with a normal
+    /// into light. Here, so that no vertex divides.
+    gain: u32,
 }
 
 impl Light {
     /// Light from the direction of `toward`, seen from the origin; a zero vector leaves the ambient light alone.
     #[must_use]
-    pub fn new(toward: Vec3, ambient: Level, diffuse: Level) -> Self {
-        let toward = unit(toward.to_bits().map(i64::from)).unwrap_or_default();
-        Self::from_direction(toward, ambient, diffuse)
-    }
-
-    fn from_direction(toward: [i32; 3], ambient: Level, diffuse: Level) -> Self {
+    pub const fn new(toward: Vec3, ambient: Level, diffuse: Level) -> Self {
+        let [x, y, z] = toward.to_bits();
+        let toward = match unit([x as i64, y as i64, z as i64]) {
+            Some(toward) => toward,
+            None => [0; 3],
+        };
         Self {
             toward,
-            factors: toward.map(|c| ((c + (1 << 15)) >> 16) as i16),
+            factors: factors(toward),
             ambient,
             diffuse,
+            gain: diffuse.to_bits() as u32 * 128 / 127,
         }
     }
 
     /// The light as an object in this pose sees it.
     #[must_use]
     pub fn in_object_space(&self, pose: &Pose) -> Self {
-        let rows = pose.rotation.inverse();
-        let toward = rows.rows().map(|row| {
-            let sum: i64 = (0..3)
-                .map(|k| i64::from(row[k].to_bits()) * i64::from(self.toward[k]))
-                .sum();
-            ((sum + (1 << 29)) >> 30) as i32
-        });
-        Self::from_direction(toward, self.ambient, self.diffuse)
+        let rows = pose.rotation.inverse().to_bits();
+        let toward = rows.map(|row| ((dot(&row, &self.toward) + (1 << 29)) >> 30) as i32);
+        Self {
+            toward,
+            factors: factors(toward),
+            ..*self
+        }
     }
 
     /// How brightly it lights a surface with this normal in object space, 127 standing for 1: Q16, from 0 to 65,536.
@@ -62,10 +65,8 @@ impl Light {
         let [lx, ly, lz] = self.factors.map(i32::from);
         // 127 x 2^14 for a surface that faces the light: 15 bits after the shift.
         let cosine = ((x * lx + y * ly + z * lz) >> 6).max(0) as u32;
-        // cosine 2^6 / (127 2^14) x diffuse / 2^15, in Q16: the factor is below 2^18, the product below 2^32 even for
-        // normals that rounding made 1 % longer.
-        let factor = u32::from(self.diffuse.to_bits()) * 256 / 127;
-        let level = (u32::from(self.ambient.to_bits()) << 1) + ((cosine * (factor >> 1)) >> 14);
+        // The gain is below 2^17, the product below 2^32 even for normals that rounding made 1 % longer.
+        let level = (u32::from(self.ambient.to_bits()) << 1) + ((cosine * self.gain) >> 14);
         level.min(1 << 16)
     }
 
@@ -86,6 +87,16 @@ impl Light {
     pub const fn diffuse(&self) -> Level {
         self.diffuse
     }
+}
+
+/// Q30 to Q14, rounded.
+const fn factors([x, y, z]: [i32; 3]) -> [i16; 3] {
+    let half = 1 << 15;
+    [
+        ((x + half) >> 16) as i16,
+        ((y + half) >> 16) as i16,
+        ((z + half) >> 16) as i16,
+    ]
 }
 
 #[cfg(test)]

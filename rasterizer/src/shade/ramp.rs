@@ -58,6 +58,8 @@ impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
 impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Ramp<C, LEVELS> {
     /// From `dark` to `bright` in equal steps, each channel rounded to the nearest.
     #[must_use]
+    // Inlined it would be in the loop over triangles, which needs the registers.
+    #[inline(never)]
     pub fn between(dark: Rgb888, bright: Rgb888) -> Self {
         let channel = |from: u8, to: u8, level: usize| {
             let (last, level) = (LEVELS as u32 - 1, level as u32);

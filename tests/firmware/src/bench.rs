@@ -66,7 +66,7 @@ pub fn run<const SET_UP: bool>(memory: &mut Memory<PIXELS>) {
 }
 
 /// One directional light.
-pub(crate) fn sun() -> Light {
+pub(crate) const fn sun() -> Light {
     Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"))
 }
 

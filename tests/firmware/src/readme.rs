@@ -15,12 +15,12 @@ const NEAR: Distance = Distance::lit("0.1");
 const FAR: Distance = Distance::lit("100");
 const EYE: Vec3 = Vec3::lit("0", "1", "3");
 const SUN: Vec3 = Vec3::lit("-1", "2", "3");
+const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
 
 pub fn show<T: DrawTarget<Color = Rgb565>>(display: &mut T, turn: Angle) -> Result<(), T::Error> {
     let lens = Perspective::new(Angle::degrees(40), NEAR, FAR).unwrap();
     let camera = Camera::look_at(EYE, Vec3::ZERO, Vec3::Y, lens, SCREEN).unwrap();
-    let light = Light::new(SUN, const { Level::lit("0.2") }, const { Level::lit("0.8") });
-    let rocket = Object::new(&ROCKET, Gouraud::new(light)).posed(Pose::rotated(Rotation::about_y(turn)));
+    let rocket = Object::new(&ROCKET, Gouraud::new(LIGHT)).posed(Pose::rotated(Rotation::about_y(turn)));
 
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; NEEDS.vertices];
     let mut bins = [0; NEEDS.bin_words];

@@ -41,14 +41,9 @@ const ORTHOGRAPHIC: Orthographic = match Orthographic::new(Distance::lit("2.5"),
 
 // In constants, as a text that is read at run time brings the code to read it.
 const SUN: Vec3 = Vec3::lit("-1", "2", "3");
-const AMBIENT: Level = Level::lit("0.2");
-const DIFFUSE: Level = Level::lit("0.8");
+const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
 
 const PICTURE: Rectangle = picture(240);
-
-fn light() -> Light {
-    Light::new(SUN, AMBIENT, DIFFUSE)
-}
 
 /// A model with light at its vertices and depth, in bands.
 fn gouraud<P: Projection, S: Subpixel, D, const PIXELS: usize, const VERTICES: usize>(
@@ -60,7 +55,7 @@ fn gouraud<P: Projection, S: Subpixel, D, const PIXELS: usize, const VERTICES: u
 where
     D: StoredDepth,
 {
-    let gouraud = Gouraud::new(light());
+    let gouraud = Gouraud::new(LIGHT);
     for_each_view(|view| {
         let camera = camera(view, lens, Bands::<S, D, [u16; 1], PIXELS, VERTICES>::PICTURE)?;
         memory.draw(&Object::new(mesh, gouraud).posed(view.pose()), &camera, display)
@@ -134,7 +129,7 @@ impl Scene for FlatDirect {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        let flat = Flat::new(light());
+        let flat = Flat::new(LIGHT);
         for_each_view(|view| {
             let cube = Object::new(&CUBE, flat).posed(view.pose());
             memory.draw_directly(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
@@ -152,7 +147,7 @@ impl Scene for FlatBands {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        let flat = Flat::new(light());
+        let flat = Flat::new(LIGHT);
         for_each_view(|view| {
             let cube = Object::new(&CUBE, flat).posed(view.pose());
             memory.draw_without_depth(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
@@ -170,7 +165,7 @@ impl Scene for FlatDepth {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        let flat = Flat::new(light());
+        let flat = Flat::new(LIGHT);
         for_each_view(|view| {
             let ball = Object::new(&BALL, flat).posed(view.pose());
             memory.draw(&ball, &camera(view, PERSPECTIVE, PICTURE)?, display)
@@ -284,10 +279,9 @@ impl Scene for Everything {
     };
 
     fn draw(memory: &mut Store, display: &mut Display) -> Option<()> {
-        let light = light();
         for_each_view(|view| {
-            let sphere = Object::new(&SPHERE, Gouraud::new(light)).posed(view.pose());
-            let cube = Object::new(&CUBE, Flat::new(light)).posed(view.pose().at(Vec3::X));
+            let sphere = Object::new(&SPHERE, Gouraud::new(LIGHT)).posed(view.pose());
+            let cube = Object::new(&CUBE, Flat::new(LIGHT)).posed(view.pose().at(Vec3::X));
             let ball = Object::new(&BALL, Unlit::new()).culled(CullNone);
             let bare = Object::new(&CUBE, Unlit::new()).posed(view.pose());
 

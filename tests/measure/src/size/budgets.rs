@@ -1,8 +1,8 @@
 //! What a scene may take, and what it should: the file `budgets.json`.
 //!
 //! A *budget* is what a scene took when it was last saved, rounded up a little, for each core and `opt-level`: taking more
-//! is a fault. A *goal* is what the project wants to get down to, at the better of the levels: it is shown, and that it is
-//! not met is no fault. Unwanted code is a fault unless its symbol is *tolerated*.
+//! is a fault, if it is the same compiler's code. A *goal* is what the project wants to get down to, at the better of the
+//! levels: it is shown, and that it is not met is no fault. Unwanted code is a fault unless its symbol is *tolerated*.
 
 use std::{collections::BTreeMap, fs, path::PathBuf};
 

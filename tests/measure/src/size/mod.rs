@@ -24,8 +24,8 @@ Examples:
   measure size m0plus --symbols     With the largest functions of each scene
   measure size --save               Takes what is measured for the budgets
 
-Exit status: 0 if all is within its budget and no scene brings unwanted code, 1 if not, 2 for bad usage or if something
-is missing.";
+Exit status: 0 if all is within its budget (those of another compiler do not count) and no scene brings unwanted code, 1
+if not, 2 for bad usage or if something is missing.";
 
 /// Measure what scenes take of flash and RAM, and compare it with their budgets
 #[derive(Debug, Args)]
@@ -145,11 +145,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     }
     Ok(Done {
         text: if arguments.json {
-            report::json(&all, &budgets, arguments.symbols)?
+            report::json(&all, &budgets, &compiler, arguments.symbols)?
         } else {
             report::text(&all, &budgets, &compiler, arguments.symbols)
         },
-        is_good: report::faults(&all, &budgets).is_empty(),
+        is_good: report::faults(&all, &budgets, &compiler).is_empty(),
     })
 }
 
