@@ -8,12 +8,11 @@ use std::{
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use rasterizer::{
     camera::Camera,
-    geometry::{DepthFormat, Projection, S4, S8, ScreenVertex, Subpixel},
+    geometry::{Projection, S4, S8, ScreenVertex, Subpixel},
     mesh::Mesh,
-    raster::Interpolate,
     scene::Object,
     shade::{Flat, Gouraud, Shader, Unlit},
-    target::{DepthBuffer, Frame},
+    target::{Frame, StoredDepth},
 };
 
 use super::view::{self, Shading, View, ViewError, triangle_colors};
@@ -55,8 +54,8 @@ pub(super) struct Drawn {
 }
 
 /// A depth format as the judge sees it.
-trait Judged: DepthFormat + Interpolate + PartialOrd + Into<u32> + 'static {}
-impl<D: DepthFormat + Interpolate + PartialOrd + Into<u32> + 'static> Judged for D {}
+trait Judged: StoredDepth + Into<u32> {}
+impl<D: StoredDepth + Into<u32>> Judged for D {}
 
 /// What the judge has to know about a shader.
 trait Leveled: Shader<Color = Rgb888> {
@@ -123,10 +122,7 @@ fn by_depth<P: Projection, S: Subpixel, D: Judged>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
-) -> Result<Drawn, ViewError>
-where
-    for<'a> &'a mut [D]: DepthBuffer<Format = D>,
-{
+) -> Result<Drawn, ViewError> {
     let light = View::light();
     match view.shading {
         Shading::Flat => by_shader::<P, S, D, _>(model, view, camera, Flat::with_levels(light)),
@@ -140,10 +136,7 @@ fn by_shader<P: Projection, S: Subpixel, D: Judged, Sh: Leveled>(
     view: &View,
     camera: &Camera<P>,
     shader: Sh,
-) -> Result<Drawn, ViewError>
-where
-    for<'a> &'a mut [D]: DepthBuffer<Format = D>,
-{
+) -> Result<Drawn, ViewError> {
     let mesh = model.mesh();
     let area = view.area();
     let pixels = area.size.width as usize * area.size.height as usize;

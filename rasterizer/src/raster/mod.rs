@@ -16,4 +16,5 @@ mod triangle;
 
 pub use gradient::{Interpolate, Plane, Step, TriangleSetup};
 pub use span::{Layout, Span, Window};
+pub(crate) use triangle::first_center;
 pub use triangle::{Triangle, signed_area};

@@ -20,6 +20,12 @@ pub fn signed_area<S: Subpixel, D, V>([a, b, c]: [&ScreenVertex<S, D, V>; 3]) ->
     }
 }
 
+/// The first row or column whose centre is at or beyond a coordinate in sub-pixels.
+#[inline(always)]
+pub(crate) const fn first_center<S: Subpixel>(coordinate: i32) -> i32 {
+    (coordinate + (1 << (S::BITS - 1)) - 1) >> S::BITS
+}
+
 /// A triangle on the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct Triangle<'v, S, D, V> {
@@ -68,14 +74,12 @@ where
             }
         }
 
-        // The first row or column whose centre is at or beyond a coordinate.
-        let first_center = |c: i32| (c + (1 << (S::BITS - 1)) - 1) >> S::BITS;
-        let first_row = first_center(top.y).max(window.top);
-        let middle_row = first_center(middle.y);
-        let end_row = first_center(bottom.y).min(window.bottom);
+        let first_row = first_center::<S>(top.y).max(window.top);
+        let middle_row = first_center::<S>(middle.y);
+        let end_row = first_center::<S>(bottom.y).min(window.bottom);
         let left = top.x.min(middle.x).min(bottom.x);
         let right = top.x.max(middle.x).max(bottom.x);
-        let (first_column, end_column) = (first_center(left), first_center(right));
+        let (first_column, end_column) = (first_center::<S>(left), first_center::<S>(right));
         if self.area == 0 || first_row >= end_row || first_column >= end_column {
             return Ok(());
         }

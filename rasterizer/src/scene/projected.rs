@@ -14,7 +14,7 @@ use crate::{
         ClipVertex, CullBack, Culling, DepthFormat, MAX_CORNERS, Projection, ScreenVertex, Subpixel, Transform, clip,
     },
     mesh::Tables,
-    raster::{Triangle, Window, signed_area},
+    raster::{Triangle, Window, first_center, signed_area},
     shade::{MeshFace, MeshVertex, Shader},
     target::Target,
 };
@@ -278,13 +278,12 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
 
 /// The columns and rows whose centres lie between the corners of a triangle.
 fn window_of<S: Subpixel, D, V>(corners: [&ScreenVertex<S, D, V>; 3]) -> Window {
-    let first_center = |c: i32| (c + (1 << (S::BITS - 1)) - 1) >> S::BITS;
     let [a, b, c] = corners;
     Window {
-        left: first_center(a.x.min(b.x).min(c.x)),
-        top: first_center(a.y.min(b.y).min(c.y)),
-        right: first_center(a.x.max(b.x).max(c.x)),
-        bottom: first_center(a.y.max(b.y).max(c.y)),
+        left: first_center::<S>(a.x.min(b.x).min(c.x)),
+        top: first_center::<S>(a.y.min(b.y).min(c.y)),
+        right: first_center::<S>(a.x.max(b.x).max(c.x)),
+        bottom: first_center::<S>(a.y.max(b.y).max(c.y)),
     }
 }
 

@@ -9,7 +9,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use super::{DepthBuffer, Frame, FrameError};
+use super::{DepthBuffer, Frame, FrameError, StoredDepth};
 use crate::geometry::NoDepth;
 
 /// A rectangle of the display in bands of rows, which one after the other are cleared, drawn and sent.
@@ -25,10 +25,7 @@ pub struct Bands<M, C, B> {
     pixel: PhantomData<C>,
 }
 
-impl<'d, M: AsMut<[C]>, C: PixelColor, D> Bands<M, C, &'d mut [D]>
-where
-    &'d mut [D]: DepthBuffer,
-{
+impl<'d, M: AsMut<[C]>, C: PixelColor, D: StoredDepth> Bands<M, C, &'d mut [D]> {
     /// Bands of `area` with a depth buffer of `u16` or `u32`: each has as many rows as both buffers hold.
     ///
     /// # Errors

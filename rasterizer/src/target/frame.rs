@@ -5,7 +5,7 @@ use core::convert::Infallible;
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
 use super::{
-    DepthBuffer, Target,
+    DepthBuffer, StoredDepth, Target,
     depth::{roll, set_all},
 };
 use crate::{
@@ -50,10 +50,7 @@ impl core::fmt::Display for FrameError {
 
 impl core::error::Error for FrameError {}
 
-impl<'a, C: PixelColor, D> Frame<'a, C, &'a mut [D]>
-where
-    &'a mut [D]: DepthBuffer,
-{
+impl<'a, C: PixelColor, D: StoredDepth> Frame<'a, C, &'a mut [D]> {
     /// A frame with a depth buffer of `u16` or `u32` for the rectangle `area` of the display.
     ///
     /// # Errors

@@ -42,15 +42,18 @@ pub trait Target {
         pixel: impl FnMut(V::Sample) -> Self::Color,
     ) -> Result<(), Self::Error>;
 
-    /// Draws a triangle's spans in a part of the window in one colour.
+    /// Draws a triangle's spans in a part of the window in one colour: [`shade`](Self::shade), unless there is a shorter way.
     ///
     /// # Errors
     ///
     /// Whatever the target's drawing ends in.
+    #[inline(always)]
     fn fill<S: Subpixel, V: Varyings + Interpolate>(
         &mut self,
         triangle: Triangle<'_, S, Self::Depth, V>,
         window: &Window,
         color: Self::Color,
-    ) -> Result<(), Self::Error>;
+    ) -> Result<(), Self::Error> {
+        self.shade(triangle, window, |_| color)
+    }
 }
