@@ -17,7 +17,8 @@ use rasterizer::{
 use crate::{
     console,
     cost::{Cost, Depth, fail},
-    memory::Memory,
+    counter,
+    memory::{Memory, Shared},
     models,
 };
 
@@ -50,8 +51,17 @@ const MODES: [Mode; 2] = [
     },
 ];
 
+static MEMORY: Shared<PIXELS> = Memory::shared();
+
+/// The program: starts the counter, says how it was compiled, and measures.
+pub fn main<const SET_UP: bool>() {
+    counter::start();
+    console::build();
+    critical_section::with(|token| run::<SET_UP>(&mut MEMORY.borrow_ref_mut(token)));
+}
+
 /// Measures all scenes, or their set-up alone, and prints a line for each.
-pub fn run<const SET_UP: bool>(memory: &mut Memory<PIXELS>) {
+fn run<const SET_UP: bool>(memory: &mut Memory<PIXELS>) {
     let light = sun();
     let (gouraud, flat) = (Gouraud::new(light), Flat::new(light));
     let (close, far) = (view("400", "2.4"), view("160", "3"));

@@ -1,6 +1,6 @@
 //! Frames and their hashes.
 
-use core::{convert::Infallible, fmt::Debug};
+use core::convert::Infallible;
 
 use embedded_graphics_core::{
     Pixel,
@@ -14,11 +14,11 @@ use rasterizer::{
     geometry::{Pose, Projection, S4, S8, ScreenVertex, Subpixel},
     numbers::{Angle, Rotation, Vec3},
     scene::{Object, bin_words},
-    shade::{Flat, Gouraud, Level, Light, Shader},
+    shade::{Flat, Gouraud, Light, Shader},
     target::{Bands, Frame},
 };
 
-use crate::{console, memory::Memory, models};
+use crate::{bench::sun, console, cost::fail, memory::Memory, models};
 
 /// Width and height of the frames: 160 KB of colour and depth.
 pub const SIDE: u32 = 200;
@@ -26,7 +26,6 @@ pub const SIDE: u32 = 200;
 pub const PIXELS: usize = (SIDE * SIDE) as usize;
 /// Vertices of the largest model.
 const VERTICES: usize = 1800;
-
 /// Triangles of the largest model.
 const TRIANGLES: usize = 1700;
 /// Rows of a band; the last one is shorter.
@@ -44,7 +43,7 @@ const PARALLEL: Orthographic = match Orthographic::new(Distance::lit("2.2"), Dis
 
 /// Draws all frames, each as a whole and again in bands, and prints a line for each.
 pub fn run(memory: &mut Memory<PIXELS>) {
-    let light = Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"));
+    let light = sun();
     let gouraud = Gouraud::<Rgb565>::new(light);
     let gear = Object::new(&models::GEAR, gouraud);
     let rocket = Object::new(&models::ROCKET, gouraud);
@@ -148,8 +147,4 @@ fn hash(before: u32, pixels: &[Rgb565]) -> u32 {
         (hash ^ u32::from(pixel.into_storage())).wrapping_mul(0x0100_0193)
     });
     end ^ 0x811C_9DC5
-}
-
-fn fail<T, E: Debug>(error: E) -> T {
-    panic!("{error:?}")
 }

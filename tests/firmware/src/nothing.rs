@@ -49,16 +49,6 @@ impl<D: DepthFormat + Interpolate> Target for Nothing<D> {
             Ok(())
         })
     }
-
-    #[inline(always)]
-    fn fill<S: Subpixel, V: Varyings + Interpolate>(
-        &mut self,
-        triangle: Triangle<'_, S, D, V>,
-        window: &Window,
-        color: Rgb565,
-    ) -> Result<(), Infallible> {
-        self.shade(triangle, window, |_| color)
-    }
 }
 
 /// As in a frame of the scenes' display.

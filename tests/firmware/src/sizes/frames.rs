@@ -16,7 +16,7 @@ use rasterizer::{
     raster::Interpolate,
     scene::Object,
     shade::Shader,
-    target::{Direct, Frame, StoredDepth},
+    target::{BandAreas, Direct, Frame, StoredDepth},
 };
 
 use super::Display;
@@ -105,7 +105,7 @@ where
         display: &mut Display,
     ) -> Option<()> {
         let seen = object.project(camera, &mut self.vertices).ok()?;
-        for rows in bands(Self::PICTURE) {
+        for rows in BandAreas::new(Self::PICTURE, ROWS) {
             let mut band = Frame::new(&mut self.color, &mut self.depth, rows).ok()?;
             band.clear(Rgb565::BLACK);
             let Ok(()) = seen.draw(&mut band);
@@ -128,7 +128,7 @@ where
         display: &mut Display,
     ) -> Option<()> {
         let seen = object.project(camera, &mut self.vertices).ok()?;
-        for rows in bands(Self::PICTURE) {
+        for rows in BandAreas::new(Self::PICTURE, ROWS) {
             let mut band = Frame::without_depth(&mut self.color, rows).ok()?;
             band.clear(Rgb565::BLACK);
             let Ok(()) = seen.draw(&mut band);
@@ -146,10 +146,4 @@ where
     ) -> Option<()> {
         object.draw(camera, &mut self.vertices, &mut Direct::new(display)).ok()
     }
-}
-
-/// The bands of a picture from its top.
-pub(super) fn bands(picture: Rectangle) -> impl Iterator<Item = Rectangle> {
-    let size = Size::new(picture.size.width, ROWS);
-    (0..HEIGHT / ROWS).map(move |band| Rectangle::new(Point::new(0, (band * ROWS) as i32), size))
 }

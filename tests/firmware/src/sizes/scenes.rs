@@ -13,12 +13,12 @@ use rasterizer::{
     numbers::{Angle, Rotation, Vec3},
     scene::Object,
     shade::{Flat, Gouraud, Level, Light, Unlit},
-    target::{Frame, StoredDepth},
+    target::{BandAreas, Frame, StoredDepth},
 };
 
 use super::{
     Display, Scene,
-    frames::{Bands, ROWS, View, bands, for_each_view, picture},
+    frames::{Bands, ROWS, View, for_each_view, picture},
 };
 #[cfg(models)]
 use crate::models::SPOT;
@@ -289,7 +289,7 @@ impl Scene for Everything {
             let smooth = sphere.project(&eye, &mut memory.smooth).ok()?;
             let faceted = cube.project(&eye, &mut memory.faceted).ok()?;
             let plain = ball.project(&eye, &mut memory.plain).ok()?;
-            for rows in bands(PICTURE) {
+            for rows in BandAreas::new(PICTURE, ROWS) {
                 let mut band = Frame::new(&mut memory.color, &mut memory.near, rows).ok()?;
                 band.clear(Rgb565::BLACK);
                 let (Ok(()), Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band), plain.draw(&mut band));
@@ -301,7 +301,7 @@ impl Scene for Everything {
             let eye = camera(view, ORTHOGRAPHIC, PICTURE)?;
             let smooth = sphere.project(&eye, &mut memory.smooth_wide).ok()?;
             let faceted = cube.culled(CullNone).project(&eye, &mut memory.faceted_wide).ok()?;
-            for rows in bands(PICTURE) {
+            for rows in BandAreas::new(PICTURE, ROWS) {
                 let mut band = Frame::new(&mut memory.color, &mut memory.wide, rows).ok()?;
                 band.clear(Rgb565::BLACK);
                 let (Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band));
