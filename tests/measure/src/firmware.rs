@@ -15,63 +15,36 @@ use anyhow::{Context as _, Result, bail};
 
 use crate::cores::Core;
 
-/// What to build.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Program<'a> {
-    /// The name of the program.
-    pub(crate) name: &'a str,
-    /// `opt-level`, if it is to be another than the release profile's.
-    pub(crate) opt_level: Option<&'a str>,
-}
-
-impl<'a> Program<'a> {
-    /// A program as the release profile has it.
-    pub(crate) const fn named(name: &'a str) -> Self {
-        Self { name, opt_level: None }
-    }
-}
-
 /// The root of the workspace: programs are built and results written there, wherever this was called from.
 pub(crate) fn root() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.ancestors().nth(2).unwrap_or(here).to_path_buf()
 }
 
-/// Builds a program for a core and returns where it is. A later build of the same program for the same target replaces
-/// it, be it at another `opt-level`.
+/// Builds a program for a core as the release profile has it, and returns where it is. A later build of the same program for
+/// the same target replaces it, be it at another `opt-level`.
 ///
 /// # Errors
 ///
 /// If there is no compiler or linker for the core, or it fails; the message has the compiler's.
-pub(crate) fn build(core: Core, program: Program<'_>) -> Result<PathBuf> {
-    let toolchain = Toolchain::find(core)?;
-    let mut command = toolchain.cargo(core);
-    command.args(["--bin", program.name, "--target", core.target()]);
-    run(command, program)?;
-    Ok(toolchain
-        .directory
-        .join(core.target())
-        .join("release")
-        .join(program.name))
+pub(crate) fn build(core: Core, name: &str) -> Result<PathBuf> {
+    Ok(build_all(core, &[name], None)?.join(name))
 }
 
-/// Builds several programs at once for a core and returns the directory they are in.
+/// Builds several programs at once for a core and returns the directory they are in. `opt_level` is that of the release
+/// profile unless another is named.
 ///
 /// # Errors
 ///
 /// As [`build`].
-pub(crate) fn build_all(core: Core, names: &[&str], opt_level: &str) -> Result<PathBuf> {
+pub(crate) fn build_all(core: Core, names: &[&str], opt_level: Option<&str>) -> Result<PathBuf> {
     let toolchain = Toolchain::find(core)?;
     let mut command = toolchain.cargo(core);
-    for name in names {
-        command.args(["--bin", name]);
-    }
     command.args(["--target", core.target()]);
-    let programs = Program {
-        name: &names.join(", "),
-        opt_level: Some(opt_level),
-    };
-    run(command, programs)?;
+    if let Some(level) = opt_level {
+        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level);
+    }
+    run(command, names)?;
     Ok(toolchain.directory.join(core.target()).join("release"))
 }
 
@@ -82,8 +55,8 @@ pub(crate) fn build_all(core: Core, names: &[&str], opt_level: &str) -> Result<P
 /// If it does not compile.
 pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
     let mut command = Command::new(cargo_in_use());
-    command.args(CARGO_ARGUMENTS).args(["--bin", name]);
-    run(command, Program::named(name))?;
+    command.args(CARGO_ARGUMENTS);
+    run(command, &[name])?;
     Ok(target_directory()
         .join("release")
         .join(name)
@@ -208,10 +181,10 @@ fn linker(rustc: &OsString) -> Option<PathBuf> {
     linkers.find(|linker| linker.is_file())
 }
 
-/// Runs cargo in the workspace.
-fn run(mut command: Command, program: Program<'_>) -> Result<()> {
-    if let Some(level) = program.opt_level {
-        command.env("CARGO_PROFILE_RELEASE_OPT_LEVEL", level);
+/// Runs cargo in the workspace, to build these programs.
+fn run(mut command: Command, names: &[&str]) -> Result<()> {
+    for name in names {
+        command.args(["--bin", name]);
     }
     // Cargo runs in the root, a build script in its package: neither is where a relative path was written.
     if let Some(models) = env::var_os("RASTERIZER_MODELS") {
@@ -222,7 +195,7 @@ fn run(mut command: Command, program: Program<'_>) -> Result<()> {
     if !output.status.success() {
         bail!(
             "the firmware's program {} could not be built:\n{}",
-            program.name,
+            names.join(", "),
             String::from_utf8_lossy(&output.stderr).trim_end()
         );
     }

@@ -5,13 +5,7 @@ use std::{fmt::Write as _, process::Command};
 use anyhow::Result;
 use clap::Args;
 
-use crate::{
-    Done,
-    cores::Core,
-    firmware::{self, Program},
-    progress::Progress,
-    qemu,
-};
+use crate::{Done, cores::Core, firmware, progress::Progress, qemu};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -39,7 +33,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     let mut done = Done::default();
     for &core in &cores {
         progress.say(format!("frames on {}", core.title()));
-        let lines = qemu::run(core, &firmware::build(core, Program::named("frames"))?)?;
+        let lines = qemu::run(core, &firmware::build(core, "frames")?)?;
         let differences = differences(&host, &lines);
         if differences.is_empty() {
             writeln!(

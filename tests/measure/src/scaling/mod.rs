@@ -14,13 +14,7 @@ use curve::{Point, Points};
 pub(crate) use report::section;
 
 use crate::{
-    Done,
-    conditions::Conditions,
-    cores::Core,
-    firmware::{self, Program},
-    per_core::Measured,
-    progress::Progress,
-    qemu, results,
+    Done, conditions::Conditions, cores::Core, firmware, per_core::Measured, progress::Progress, qemu, results,
 };
 
 const EXAMPLES: &str = "\
@@ -73,7 +67,7 @@ fn measure(cores: &[Core]) -> Result<Scaling> {
     let mut scaling = Scaling::default();
     for &core in cores {
         progress.say(format!("curves on {}", core.title()));
-        let lines = qemu::run(core, &firmware::build(core, Program::named("scaling"))?)?;
+        let lines = qemu::run(core, &firmware::build(core, "scaling")?)?;
         scaling.cores.push(Measured {
             core,
             conditions: Conditions::of(core, &lines)?,

@@ -121,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
             progress.say(format!("building for {} at opt-level {}", core.title(), level.name()));
             let programs: Vec<_> = scenes.iter().map(|scene| program(scene)).collect();
             let names: Vec<_> = programs.iter().map(String::as_str).collect();
-            let directory = firmware::build_all(core, &names, level.name())?;
+            let directory = firmware::build_all(core, &names, Some(level.name()))?;
             progress.step();
             for (&scene, name) in scenes.iter().zip(&names) {
                 progress.say(format!("{scene} on {}", core.title()));

@@ -16,13 +16,7 @@ pub(crate) use report::section;
 use serde::Serialize;
 
 use crate::{
-    Done,
-    conditions::Conditions,
-    cores::Core,
-    firmware::{self, Program},
-    per_core::Measured,
-    progress::Progress,
-    qemu, results,
+    Done, conditions::Conditions, cores::Core, firmware, per_core::Measured, progress::Progress, qemu, results,
 };
 
 const EXAMPLES: &str = "\
@@ -118,7 +112,7 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
     for &core in cores {
         let lines = |program| {
             progress.say(format!("{program} on {}", core.title()));
-            let lines = qemu::run(core, &firmware::build(core, Program::named(program))?)?;
+            let lines = qemu::run(core, &firmware::build(core, program)?)?;
             progress.step();
             Ok::<_, anyhow::Error>(lines)
         };
