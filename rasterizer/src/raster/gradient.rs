@@ -103,6 +103,16 @@ impl<T: Step> Plane<T> {
         let row = self.anchor.plus(self.per_row.times(rows));
         row.plus(self.per_column.times(columns))
     }
+
+    /// The same function of addresses and rows, where a row has `pitch` addresses and its first pixel the address 0.
+    #[inline(always)]
+    pub(super) fn over_addresses(&self, [columns, rows]: [i32; 2], pitch: i32) -> Self {
+        Self {
+            anchor: self.at(columns, rows),
+            per_column: self.per_column,
+            per_row: self.per_row.plus(self.per_column.times(-pitch)),
+        }
+    }
 }
 
 /// What can be interpolated over a triangle: an attribute, or an array of them.

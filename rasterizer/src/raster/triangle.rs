@@ -93,101 +93,61 @@ where
             right - left,
         );
         let Layout { pitch, origin } = layout;
-        let row_address = first_row.wrapping_mul(pitch).wrapping_sub(origin);
         let [anchor_column, anchor_row] = at(top).map(|c| c >> S::BITS);
-        // From the anchor to the pixel at address 0 of the first row, and from there to the same address of the next row.
-        let (columns, rows) = (-row_address - anchor_column, first_row - anchor_row);
-        let depth = D::plane(&setup, [top.depth, middle.depth, bottom.depth]);
-        let varyings = V::plane(&setup, [top.varyings, middle.varyings, bottom.varyings]);
+        // From the anchor to the pixel at address 0 of the display's first row.
+        let to_first = [origin - anchor_column, -anchor_row];
+        // What is used once a row stays in memory, from where it is worked out: compilers would rather keep it in registers
+        // and spill what is used for every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
+        let mut depth = D::plane(&setup, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, pitch);
+        black_box(&mut depth);
+        let mut varyings =
+            V::plane(&setup, [top.varyings, middle.varyings, bottom.varyings]).over_addresses(to_first, pitch);
+        black_box(&mut varyings);
+
+        let mut row = first_row;
         // The long edge stays; the short one on the other side gives way to the next at the middle corner's row.
-        let long = Edge::new::<S>(at(top), at(bottom), first_row, row_address, pitch);
-        let mut rows = Rows::<D, V> {
-            left: long,
-            right: long,
-            row: first_row,
-            end: middle_row.min(end_row),
-            address: row_address,
-            pitch,
-            depth_step: depth.per_column,
-            varyings_step: varyings.per_column,
-            depth: depth.at(columns, rows),
-            depth_down: depth.per_row.plus(depth.per_column.times(-pitch)),
-            varyings: varyings.at(columns, rows),
-            varyings_down: varyings.per_row.plus(varyings.per_column.times(-pitch)),
-        };
-        // What is used once a row stays in memory: compilers would rather keep it in registers and spill what is used for
-        // every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
-        black_box(&mut rows);
-        let (mut upper, mut lower) = (top, middle);
-        if rows.row >= rows.end {
-            (upper, lower, rows.end) = (middle, bottom, end_row);
+        let mut long = Edge::new::<S>(at(top), at(bottom), row, row.wrapping_mul(pitch).wrapping_sub(origin), pitch);
+        black_box(&mut long);
+        let (mut upper, mut lower, mut end) = (top, middle, middle_row.min(end_row));
+        if row >= end {
+            (upper, lower, end) = (middle, bottom, end_row);
         }
         loop {
-            let (row, address) = (rows.row, rows.address);
-            let short = if middle_is_right {
-                &mut rows.right
+            let row_address = row.wrapping_mul(pitch).wrapping_sub(origin);
+            let mut short = Edge::new::<S>(at(upper), at(lower), row, row_address, pitch);
+            let (left, right) = if middle_is_right {
+                (&mut long, &mut short)
             } else {
-                &mut rows.left
+                (&mut short, &mut long)
             };
-            *short = Edge::new::<S>(at(upper), at(lower), row, address, pitch);
-            while rows.row < rows.end {
-                let (mut start, mut end) = (rows.left.boundary, rows.right.boundary);
+            let (left, right) = (black_box(left), black_box(right));
+            while row < end {
+                let (mut start, mut end) = (left.boundary, right.boundary);
                 if is_cut {
-                    start = start.max(rows.address + window.left);
-                    end = end.min(rows.address + window.right);
+                    let row_address = row.wrapping_mul(pitch).wrapping_sub(origin);
+                    start = start.max(row_address + window.left);
+                    end = end.min(row_address + window.right);
                 }
                 if start < end {
-                    let (depth_step, varyings_step) = (rows.depth_step, rows.varyings_step);
                     visit(&Span {
-                        row: rows.row,
+                        row,
                         start,
                         end,
-                        depth: rows.depth.plus(depth_step.times(start)),
-                        depth_step,
-                        varyings: rows.varyings.plus(varyings_step.times(start)),
-                        varyings_step,
+                        depth: depth.at(start, row),
+                        depth_step: depth.per_column,
+                        varyings: varyings.at(start, row),
+                        varyings_step: varyings.per_column,
                     })?;
                 }
-                rows.step();
+                left.step();
+                right.step();
+                row += 1;
             }
-            if rows.end == end_row {
+            if end == end_row {
                 return Ok(());
             }
-            (upper, lower, rows.end) = (middle, bottom, end_row);
+            (upper, lower, end) = (middle, bottom, end_row);
         }
-    }
-}
-
-/// A row on the way down a triangle.
-#[derive(Clone, Copy, Debug)]
-struct Rows<D: Interpolate, V: Interpolate> {
-    left: Edge,
-    right: Edge,
-    row: i32,
-    /// The row after the last one of both edges.
-    end: i32,
-    /// The address of the row's column 0, and the addresses from a row to the next.
-    address: i32,
-    pitch: i32,
-    /// What depth and varyings change from an address to the next.
-    depth_step: D::Accumulator,
-    varyings_step: V::Accumulator,
-    /// Depth and varyings at address 0, and what they change from a row to the next.
-    depth: D::Accumulator,
-    depth_down: D::Accumulator,
-    varyings: V::Accumulator,
-    varyings_down: V::Accumulator,
-}
-
-impl<D: Interpolate, V: Interpolate> Rows<D, V> {
-    #[inline(always)]
-    fn step(&mut self) {
-        self.left.step();
-        self.right.step();
-        self.depth = self.depth.plus(self.depth_down);
-        self.varyings = self.varyings.plus(self.varyings_down);
-        self.address += self.pitch;
-        self.row += 1;
     }
 }
 
