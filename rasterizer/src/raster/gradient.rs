@@ -32,6 +32,9 @@ use crate::{
 
 /// A running value that is stepped from pixel to pixel, modulo its width.
 pub trait Step: Copy {
+    /// Nothing to add.
+    const ZERO: Self;
+
     /// This and `change`.
     #[must_use]
     fn plus(self, change: Self) -> Self;
@@ -42,6 +45,8 @@ pub trait Step: Copy {
 }
 
 impl Step for u32 {
+    const ZERO: Self = 0;
+
     #[inline(always)]
     fn plus(self, change: Self) -> Self {
         self.wrapping_add(change)
@@ -54,6 +59,8 @@ impl Step for u32 {
 }
 
 impl Step for u64 {
+    const ZERO: Self = 0;
+
     #[inline(always)]
     fn plus(self, change: Self) -> Self {
         self.wrapping_add(change)
@@ -66,6 +73,8 @@ impl Step for u64 {
 }
 
 impl Step for () {
+    const ZERO: Self = ();
+
     #[inline(always)]
     fn plus(self, (): Self) -> Self {}
 
@@ -74,6 +83,8 @@ impl Step for () {
 }
 
 impl<T: Step, const N: usize> Step for [T; N] {
+    const ZERO: Self = [T::ZERO; N];
+
     #[inline(always)]
     fn plus(self, change: Self) -> Self {
         core::array::from_fn(|i| self[i].plus(change[i]))
@@ -178,7 +189,7 @@ impl<S: Subpixel> TriangleSetup<S> {
     /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits.
     #[cold]
     #[inline(never)]
-    fn exact_plane(self, [a, b, c]: [u16; 3]) -> Plane<u32> {
+    fn exact_plane(self, a: u16, b: u16, c: u16) -> Plane<u32> {
         let divisor = Divisor::new(self.area.unsigned_abs());
         let gradient = |numerator: i64| divisor.divide(numerator << (16 + S::BITS)).0;
         let [x, y] = self.numerators([a, b, c].map(i64::from)).map(gradient);
@@ -291,7 +302,10 @@ impl Interpolate for u16 {
     fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<u32> {
         match &setup.quick {
             Some(quick) => setup.quick_plane(quick, corners),
-            None => setup.exact_plane(corners),
+            None => {
+                let [a, b, c] = corners;
+                setup.exact_plane(a, b, c)
+            }
         }
     }
 
@@ -355,12 +369,17 @@ impl<A: Interpolate, const N: usize> Interpolate for [A; N] {
 
     #[inline(always)]
     fn plane<S: Subpixel>(setup: &TriangleSetup<S>, [a, b, c]: [Self; 3]) -> Plane<Self::Accumulator> {
-        let planes: [Plane<A::Accumulator>; N] = core::array::from_fn(|i| A::plane(setup, [a[i], b[i], c[i]]));
-        Plane {
-            anchor: planes.map(|p| p.anchor),
-            per_column: planes.map(|p| p.per_column),
-            per_row: planes.map(|p| p.per_row),
+        let mut all = Plane::<Self::Accumulator> {
+            anchor: Step::ZERO,
+            per_column: Step::ZERO,
+            per_row: Step::ZERO,
+        };
+        // Not `from_fn`, whose closure compilers call, with the set-up in memory for it.
+        for i in 0..N {
+            let plane = A::plane(setup, [a[i], b[i], c[i]]);
+            (all.anchor[i], all.per_column[i], all.per_row[i]) = (plane.anchor, plane.per_column, plane.per_row);
         }
+        all
     }
 
     #[inline(always)]

@@ -48,7 +48,7 @@ impl Window {
     }
 }
 
-/// Where the pixels of a display lie in a row of addresses: at `row * pitch + column - origin`.
+/// Where the pixels of a window lie in a row of addresses: at `row * pitch + column - origin`, which is never negative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Layout {
     /// The addresses from a row to the next.
@@ -63,9 +63,9 @@ pub struct Span<D: Interpolate, V: Interpolate> {
     /// The row, from the display's upper edge.
     pub row: i32,
     /// The first pixel's address.
-    pub start: i32,
+    pub start: usize,
     /// The address after the last pixel's; always beyond `start`.
-    pub end: i32,
+    pub end: usize,
     /// The depth at the first pixel.
     pub depth: D::Accumulator,
     /// The change of depth from a pixel to the one on its right.

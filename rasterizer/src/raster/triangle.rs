@@ -2,7 +2,7 @@
 
 use core::hint::black_box;
 
-use super::{Interpolate, Layout, Span, Step, Window, edge::Edge, gradient::TriangleSetup};
+use super::{Interpolate, Layout, Span, Window, edge::Edge, gradient::TriangleSetup};
 use crate::geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings};
 
 /// Twice the area of a triangle on the screen in square sub-pixels: negative if its corners run counter-clockwise, as y
@@ -126,13 +126,14 @@ where
                 if is_cut {
                     let row_address = row.wrapping_mul(pitch).wrapping_sub(origin);
                     start = start.max(row_address + window.left);
-                    end = end.min(row_address + window.right);
+                    end = end.min(row_address + window.right).max(start);
                 }
-                if start < end {
+                // No address is negative, and targets that compare them so know then that `start` is the lesser.
+                if (start as usize) < end as usize {
                     visit(&Span {
                         row,
-                        start,
-                        end,
+                        start: start as usize,
+                        end: end as usize,
                         depth: depth.at(start, row),
                         depth_step: depth.per_column,
                         varyings: varyings.at(start, row),
@@ -156,7 +157,10 @@ mod tests {
     use std::{vec, vec::Vec};
 
     use super::*;
-    use crate::geometry::{S4, S8};
+    use crate::{
+        geometry::{S4, S8},
+        raster::Step as _,
+    };
 
     /// Columns and rows of covered pixels with their depth and varyings.
     type Covered<D, V> = Vec<(i32, i32, D, V)>;
@@ -170,7 +174,7 @@ mod tests {
         let Ok(()) = Triangle::new(corners, signed_area(corners)).for_each_span(&WINDOW, layout, |span| {
             let (mut depth, mut varyings) = (span.depth, span.varyings);
             for address in span.start..span.end {
-                let column = address + layout.origin - span.row * layout.pitch;
+                let column = address as i32 + layout.origin - span.row * layout.pitch;
                 covered.push((column, span.row, D::value(depth), V::value(varyings)));
                 depth = depth.plus(span.depth_step);
                 varyings = varyings.plus(span.varyings_step);
@@ -180,7 +184,10 @@ mod tests {
         covered
     }
 
-    const LAYOUT: Layout = Layout { pitch: 0, origin: 0 };
+    const LAYOUT: Layout = Layout {
+        pitch: 0,
+        origin: WINDOW.left,
+    };
 
     const WINDOW: Window = Window {
         left: -20,

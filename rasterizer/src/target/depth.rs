@@ -1,10 +1,10 @@
 //! The depth test, and the loop over pixels that it is part of.
 
-use core::hint::black_box;
+use core::{convert::Infallible, hint::black_box};
 
 use crate::{
-    geometry::{DepthFormat, NoDepth},
-    raster::{Interpolate, Span, Step},
+    geometry::{DepthFormat, NoDepth, Subpixel, Varyings},
+    raster::{Interpolate, Layout, Span, Step, Triangle, Window},
 };
 
 /// The depth of a frame's pixels: `&mut [u16]`, `&mut [u32]`, or [`NoDepth`].
@@ -21,14 +21,20 @@ pub trait DepthBuffer {
     /// Sets all cells to the far end of the range.
     fn clear(&mut self);
 
-    /// Draws those pixels of a span that are nearer than what is stored, which their depth then replaces: what was drawn
-    /// first wins a tie. The span's addresses count in `colors` as in the buffer; nothing is drawn if it reaches beyond.
-    fn shade<C, V: Interpolate>(
+    /// Draws those pixels of a triangle that are nearer than what is stored, which their depth then replaces: what was
+    /// drawn first wins a tie. Addresses in `layout` count in `colors` as in the buffer.
+    ///
+    /// # Errors
+    ///
+    /// None.
+    fn shade<C, S: Subpixel, V: Varyings + Interpolate>(
         &mut self,
         colors: &mut [C],
-        span: &Span<Self::Format, V>,
+        triangle: Triangle<'_, S, Self::Format, V>,
+        window: &Window,
+        layout: Layout,
         pixel: impl FnMut(V::Sample) -> C,
-    );
+    ) -> Result<(), Infallible>;
 }
 
 /// A format of depth that a buffer can keep: `u16` or `u32`. The depth of 0 has no bit set.
@@ -59,19 +65,33 @@ impl<D: StoredDepth> DepthBuffer for &mut [D] {
     }
 
     #[inline(always)]
-    fn shade<C, V: Interpolate>(&mut self, colors: &mut [C], span: &Span<D, V>, mut pixel: impl FnMut(V::Sample) -> C) {
-        let (start, end) = (span.start as usize, span.end as usize);
-        let (Some(colors), Some(cells)) = (colors.get_mut(start..end), self.get_mut(start..end)) else {
-            return;
-        };
-        let mut run = Run::new(span);
-        if cells.len() >= LONG_RUN {
-            return run.draw_long(colors, cells, pixel);
-        }
-        for (color, cell) in colors.iter_mut().zip(cells) {
-            roll();
-            run.draw(color, cell, &mut pixel);
-        }
+    fn shade<C, S: Subpixel, V: Varyings + Interpolate>(
+        &mut self,
+        colors: &mut [C],
+        triangle: Triangle<'_, S, D, V>,
+        window: &Window,
+        layout: Layout,
+        mut pixel: impl FnMut(V::Sample) -> C,
+    ) -> Result<(), Infallible> {
+        // Of one length, they share the test of a span's end.
+        let pixels = colors.len().min(self.len());
+        let colors = colors.get_mut(..pixels).unwrap_or_default();
+        let cells = self.get_mut(..pixels).unwrap_or_default();
+        triangle.for_each_span(window, layout, |span| {
+            let (start, end) = (span.start, span.end);
+            if let (Some(colors), Some(cells)) = (colors.get_mut(start..end), cells.get_mut(start..end)) {
+                let mut run = Run::new(span);
+                if cells.len() >= LONG_RUN {
+                    run.draw_long(colors, cells, &mut pixel);
+                } else {
+                    for (color, cell) in colors.iter_mut().zip(cells) {
+                        roll();
+                        run.draw(color, cell, &mut pixel);
+                    }
+                }
+            }
+            Ok(())
+        })
     }
 }
 
@@ -160,19 +180,21 @@ impl DepthBuffer for NoDepth {
     fn clear(&mut self) {}
 
     #[inline(always)]
-    fn shade<C, V: Interpolate>(
+    fn shade<C, S: Subpixel, V: Varyings + Interpolate>(
         &mut self,
         colors: &mut [C],
-        span: &Span<Self, V>,
+        triangle: Triangle<'_, S, Self, V>,
+        window: &Window,
+        layout: Layout,
         mut pixel: impl FnMut(V::Sample) -> C,
-    ) {
-        let mut varyings = span.varyings;
-        for color in colors
-            .get_mut(span.start as usize..span.end as usize)
-            .unwrap_or_default()
-        {
-            *color = pixel(V::sample(varyings));
-            varyings = varyings.plus(span.varyings_step);
-        }
+    ) -> Result<(), Infallible> {
+        triangle.for_each_span(window, layout, |span| {
+            let mut varyings = span.varyings;
+            for color in colors.get_mut(span.start..span.end).unwrap_or_default() {
+                *color = pixel(V::sample(varyings));
+                varyings = varyings.plus(span.varyings_step);
+            }
+            Ok(())
+        })
     }
 }

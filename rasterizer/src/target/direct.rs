@@ -31,12 +31,20 @@ impl<'a, T: DrawTarget> Direct<'a, T> {
     }
 }
 
-/// Every row alike: an address is a column.
-const COLUMNS: Layout = Layout { pitch: 0, origin: 0 };
+/// Every row alike: an address is a column of the window.
+const fn columns(window: &Window) -> Layout {
+    Layout {
+        pitch: 0,
+        origin: window.left,
+    }
+}
 
-const fn rectangle<V: Interpolate>(span: &Span<NoDepth, V>) -> Rectangle {
+const fn rectangle<V: Interpolate>(window: &Window, span: &Span<NoDepth, V>) -> Rectangle {
     let width = (span.end - span.start) as u32;
-    Rectangle::new(Point::new(span.start, span.row), Size::new(width, 1))
+    Rectangle::new(
+        Point::new(window.left + span.start as i32, span.row),
+        Size::new(width, 1),
+    )
 }
 
 impl<T: DrawTarget> Target for Direct<'_, T> {
@@ -55,14 +63,14 @@ impl<T: DrawTarget> Target for Direct<'_, T> {
         window: &Window,
         mut pixel: impl FnMut(V::Sample) -> T::Color,
     ) -> Result<(), T::Error> {
-        triangle.for_each_span(window, COLUMNS, |span| {
+        triangle.for_each_span(window, columns(window), |span| {
             let mut varyings = span.varyings;
             let colors = (span.start..span.end).map(|_| {
                 let color = pixel(V::sample(varyings));
                 varyings = varyings.plus(span.varyings_step);
                 color
             });
-            self.display.fill_contiguous(&rectangle(span), colors)
+            self.display.fill_contiguous(&rectangle(window, span), colors)
         })
     }
 
@@ -73,6 +81,6 @@ impl<T: DrawTarget> Target for Direct<'_, T> {
         window: &Window,
         color: T::Color,
     ) -> Result<(), T::Error> {
-        triangle.for_each_span(window, COLUMNS, |span| self.display.fill_solid(&rectangle(span), color))
+        triangle.for_each_span(window, columns(window), |span| self.display.fill_solid(&rectangle(window, span), color))
     }
 }

@@ -22,6 +22,8 @@ pub struct Frame<'a, C, B> {
     depth: B,
     area: Rectangle,
     window: Window,
+    /// An address is an index of the buffers.
+    layout: Layout,
 }
 
 /// Memory of the wrong size.
@@ -88,11 +90,16 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
     /// A frame in the first part of memory that may be larger.
     pub(super) fn part(color: &'a mut [C], depth: B, area: Rectangle) -> Self {
         let pixels = color.len().min(area.size.width as usize * area.size.height as usize);
+        let (window, pitch) = (Window::new(&area), area.size.width as i32);
         Self {
             color: color.get_mut(..pixels).unwrap_or_default(),
             depth,
             area,
-            window: Window::new(&area),
+            window,
+            layout: Layout {
+                pitch,
+                origin: window.top.wrapping_mul(pitch).wrapping_add(window.left),
+            },
         }
     }
 
@@ -133,15 +140,6 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         display.fill_contiguous(&self.area, self.color.iter().copied())
     }
 
-    /// An address is an index of the buffers.
-    const fn layout(&self) -> Layout {
-        let pitch = self.area.size.width as i32;
-        Layout {
-            pitch,
-            origin: self.window.top.wrapping_mul(pitch).wrapping_add(self.window.left),
-        }
-    }
-
     /// Draws the spans of a triangle in one colour, untested.
     #[inline(never)]
     fn fill_runs<S: Subpixel, V: Varyings + Interpolate>(
@@ -150,8 +148,8 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         window: &Window,
         color: C,
     ) -> Result<(), Infallible> {
-        triangle.for_each_span(window, self.layout(), |span| {
-            if let Some(colors) = self.color.get_mut(span.start as usize..span.end as usize) {
+        triangle.for_each_span(window, self.layout, |span| {
+            if let Some(colors) = self.color.get_mut(span.start..span.end) {
                 // One test for sixteen stores; `fill` tests after each.
                 let (runs, rest) = colors.as_chunks_mut::<16>();
                 for run in runs {
@@ -182,12 +180,9 @@ impl<C: PixelColor, B: DepthBuffer> Target for Frame<'_, C, B> {
         &mut self,
         triangle: Triangle<'_, S, Self::Depth, V>,
         window: &Window,
-        mut pixel: impl FnMut(V::Sample) -> C,
+        pixel: impl FnMut(V::Sample) -> C,
     ) -> Result<(), Infallible> {
-        triangle.for_each_span(window, self.layout(), |span| {
-            self.depth.shade(self.color, span, &mut pixel);
-            Ok(())
-        })
+        self.depth.shade(self.color, triangle, window, self.layout, pixel)
     }
 
     #[inline(always)]
