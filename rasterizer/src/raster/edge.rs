@@ -72,12 +72,13 @@ impl Edge {
     /// On to the next row.
     #[inline(always)]
     pub(super) const fn step(&mut self) {
-        self.boundary += self.stride;
-        self.function -= self.remainder;
-        if self.function < 0 {
-            self.boundary += 1;
-            self.function += self.dy;
+        // Worked out in registers and stored once.
+        let (mut boundary, mut function) = (self.boundary + self.stride, self.function - self.remainder);
+        if function < 0 {
+            boundary += 1;
+            function += self.dy;
         }
+        (self.boundary, self.function) = (boundary, function);
     }
 }
 

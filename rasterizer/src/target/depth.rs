@@ -135,13 +135,13 @@ impl<D: Interpolate + PartialOrd, V: Interpolate> Run<D, V> {
     /// Draws a pixel if it is nearer, and goes on to the next.
     #[inline(always)]
     fn draw<C>(&mut self, color: &mut C, cell: &mut D, pixel: &mut impl FnMut(V::Sample) -> C) {
-        let depth = D::value(self.depth);
-        if depth > *cell {
-            *cell = depth;
-            *color = pixel(V::sample(self.varyings));
-        }
+        let (depth, varyings) = (D::value(self.depth), self.varyings);
         self.depth = self.depth.plus(self.depth_step);
         self.varyings = self.varyings.plus(self.varyings_step);
+        if depth > *cell {
+            *cell = depth;
+            *color = pixel(V::sample(varyings));
+        }
     }
 
     /// Two pixels at a time, in a function of its own: it needs all registers.
