@@ -54,6 +54,10 @@ pub(crate) const fn divide_small(a: u32, b: u32) -> u32 {
 /// (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one ask for.
 const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
+/// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension, which have atomic
+/// instructions.
+pub(crate) const HAS_UNALIGNED_WORDS: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
+
 #[inline(always)]
 const fn mul_high_by_halves(a: i32, b: i32) -> i32 {
     let (a_low, a_high) = (a & 0xFFFF, a >> 16);

@@ -106,7 +106,13 @@ where
 
         let mut row = first_row;
         // The long edge stays; the short one on the other side gives way to the next at the middle corner's row.
-        let mut long = Edge::new::<S>(at(top), at(bottom), row, row.wrapping_mul(pitch).wrapping_sub(origin), pitch);
+        let mut long = Edge::new::<S>(
+            at(top),
+            at(bottom),
+            row,
+            row.wrapping_mul(pitch).wrapping_sub(origin),
+            pitch,
+        );
         black_box(&mut long);
         let (mut upper, mut lower, mut end) = (top, middle, middle_row.min(end_row));
         if row >= end {

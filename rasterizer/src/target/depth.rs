@@ -60,7 +60,7 @@ impl<D: StoredDepth> DepthBuffer for &mut [D] {
         // All bits of a zero are 0, in words of any size.
         let (start, words, end) = bytemuck::pod_align_to_mut::<D, u32>(self);
         start.fill(D::ZERO);
-        set_all(words, 0);
+        clear_words(words);
         end.fill(D::ZERO);
     }
 
@@ -95,20 +95,20 @@ impl<D: StoredDepth> DepthBuffer for &mut [D] {
     }
 }
 
-/// Sets all elements of a slice, at one instruction for each. A function of its own: inlined into a large one it takes
-/// three times as long on the M0+.
+/// Sets words to zero, at one instruction for each. A function of its own: inlined into a large one it takes three times as
+/// long on the M0+.
 #[inline(never)]
-pub(super) fn set_all<T: Copy>(elements: &mut [T], value: T) {
+fn clear_words(words: &mut [u32]) {
     // Known to be zero it would become a call of `memset`, which on a microcontroller takes two.
-    let value = black_box(value);
+    let zero = black_box(0);
     // Shorter runs are repeated by the compiler until they take twice the flash.
-    let (runs, rest) = elements.as_chunks_mut::<64>();
+    let (runs, rest) = words.as_chunks_mut::<64>();
     for run in runs {
-        run.iter_mut().for_each(|element| *element = value);
+        run.iter_mut().for_each(|word| *word = zero);
     }
-    for element in rest {
+    for word in rest {
         // As above, lest the compiler make a case of each length.
-        *element = black_box(value);
+        *word = black_box(zero);
     }
 }
 

@@ -81,6 +81,8 @@ impl<T: DrawTarget> Target for Direct<'_, T> {
         window: &Window,
         color: T::Color,
     ) -> Result<(), T::Error> {
-        triangle.for_each_span(window, columns(window), |span| self.display.fill_solid(&rectangle(window, span), color))
+        triangle.for_each_span(window, columns(window), |span| {
+            self.display.fill_solid(&rectangle(window, span), color)
+        })
     }
 }

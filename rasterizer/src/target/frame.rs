@@ -4,10 +4,7 @@ use core::convert::Infallible;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
-use super::{
-    DepthBuffer, StoredDepth, Target,
-    depth::{roll, set_all},
-};
+use super::{DepthBuffer, StoredDepth, Target, fill::Fill};
 use crate::{
     geometry::{NoDepth, Subpixel, Varyings},
     raster::{Interpolate, Layout, Triangle, Window},
@@ -110,7 +107,7 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
 
     /// Sets all pixels to one colour and their depth to the far end.
     pub fn clear(&mut self, color: C) {
-        set_all(self.color, color);
+        Fill::new(color).all(self.color);
         self.clear_depth();
     }
 
@@ -148,18 +145,10 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         window: &Window,
         color: C,
     ) -> Result<(), Infallible> {
+        let fill = Fill::new(color);
         triangle.for_each_span(window, self.layout, |span| {
-            if let Some(colors) = self.color.get_mut(span.start..span.end) {
-                // One test for sixteen stores; `fill` tests after each.
-                let (runs, rest) = colors.as_chunks_mut::<16>();
-                for run in runs {
-                    roll();
-                    *run = [color; 16];
-                }
-                for pixel in rest {
-                    roll();
-                    *pixel = color;
-                }
+            if let Some(pixels) = self.color.get_mut(span.start..span.end) {
+                fill.run(pixels);
             }
             Ok(())
         })

@@ -4,6 +4,7 @@ mod bands;
 mod big_endian;
 mod depth;
 mod direct;
+mod fill;
 mod frame;
 
 pub use bands::{BandAreas, Bands, StreamError};
