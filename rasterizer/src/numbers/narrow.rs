@@ -52,7 +52,7 @@ pub(crate) const fn divide_small(a: u32, b: u32) -> u32 {
 
 /// Whether the core lacks all of them. Among ARM targets these are the ones without atomic read-modify-write instructions
 /// (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one ask for.
-const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
 /// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension, which have atomic
 /// instructions.

@@ -17,7 +17,10 @@
 //! boundary moves by q pixels and E by -r, and by one more pixel where that makes E negative. Nothing is ever rounded,
 //! and no value needs more than 32 bits at any sub-pixel precision.
 
-use crate::{geometry::Subpixel, numbers::divide_small};
+use crate::{
+    geometry::Subpixel,
+    numbers::{IS_NARROW, divide_small},
+};
 
 /// An edge on its way down the rows.
 #[derive(Clone, Copy, Debug)]
@@ -74,9 +77,12 @@ impl Edge {
     pub(super) const fn step(&mut self) {
         // Worked out in registers and stored once.
         let (mut boundary, mut function) = (self.boundary + self.stride, self.function - self.remainder);
-        if function < 0 {
-            boundary += 1;
-            function += self.dy;
+        if !IS_NARROW {
+            // Operands that are shifted on the way: two instructions less than by a condition.
+            let is_negative = function >> 31;
+            (boundary, function) = (boundary - is_negative, function + (self.dy & is_negative));
+        } else if function < 0 {
+            (boundary, function) = (boundary + 1, function + self.dy);
         }
         (self.boundary, self.function) = (boundary, function);
     }
