@@ -14,27 +14,9 @@ pub trait Subpixel: Copy + Default + private::Sealed {
 }
 
 mod private {
-    use crate::numbers::{mul_high, mul_high_short};
-
-    pub trait Sealed {
-        /// c r / 2<sup>32</sup> for |c r| <= 2<sup>61</sup>, as exactly as sub-pixels need it.
-        fn quotient(c: i32, r: i32) -> i32;
-    }
-
-    impl Sealed for super::S4 {
-        /// Off by 2<sup>-18</sup> of it, for the bits of r: 2<sup>-4</sup> sub-pixels at the edge of the guard band.
-        #[inline(always)]
-        fn quotient(c: i32, r: i32) -> i32 {
-            mul_high_short(c, r)
-        }
-    }
-
-    impl Sealed for super::S8 {
-        #[inline(always)]
-        fn quotient(c: i32, r: i32) -> i32 {
-            mul_high(c, r)
-        }
-    }
+    pub trait Sealed {}
+    impl Sealed for super::S4 {}
+    impl Sealed for super::S8 {}
 }
 
 /// Sixteenths of a pixel: a vertex is off by at most 1/32 pixel in x and y. For cores without a long multiply.

@@ -157,7 +157,7 @@ impl<P: Projection> Transform<P> {
         // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper half has 29 bits behind
         // the point; 10 + S of them are sub-pixels of the guard band.
         let to_subpixels = |c: i32, center: i32| {
-            let quotient = S::quotient(c << reciprocal.leading_zeros, reciprocal.mantissa);
+            let quotient = mul_high(c << reciprocal.leading_zeros, reciprocal.mantissa);
             let drop = 29 - GUARD_BITS - S::BITS;
             let subpixels = (quotient + (1 << (drop - 1))) >> drop;
             let limit = 1 << (GUARD_BITS + S::BITS);
@@ -341,8 +341,7 @@ mod tests {
                     continue;
                 };
                 let unit = f64::from(1 << S::BITS);
-                // Half a sub-pixel of snapping; an eighth for the transform's 30 bits and the reciprocal's 27, of which
-                // S4 takes 18.
+                // Half a sub-pixel of snapping; an eighth for the transform's 30 bits and the reciprocal's 27.
                 assert!((f64::from(got_x) - x * unit).abs() < 0.625, "x {got_x} {}", x * unit);
                 assert!((f64::from(got_y) - y * unit).abs() < 0.625, "y {got_y} {}", y * unit);
                 let depth = depth * 65536.0;

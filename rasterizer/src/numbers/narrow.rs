@@ -15,17 +15,6 @@ pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
     }
 }
 
-/// ⌊a b / 2<sup>32</sup>⌋ of the upper 26 bits of `a` and the upper 20 of `b`, for |a b| <= 2<sup>61</sup> and a `b` that
-/// is not negative: by halves two products instead of four.
-#[inline(always)]
-pub(crate) const fn mul_high_short(a: i32, b: i32) -> i32 {
-    if IS_NARROW {
-        mul_high_short_by_parts(a, b)
-    } else {
-        mul_high(a & !0x3F, b & !0xFFF)
-    }
-}
-
 /// ⌊a b / 2<sup>32</sup>⌋ without signs.
 #[inline(always)]
 pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
@@ -100,15 +89,6 @@ const fn mul_high_by_halves(a: i32, b: i32) -> i32 {
         .wrapping_mul(b_high)
         .wrapping_add(middle >> 16)
         .wrapping_add(other >> 16)
-}
-
-#[inline(always)]
-const fn mul_high_short_by_parts(a: i32, b: i32) -> i32 {
-    let (a_low, a_high) = ((a >> 6) & 0x1FFF, a >> 19);
-    let b = b >> 12;
-    // 13 and 19 bits; the other product is at most 2^(61 - 19 - 12).
-    let low = (a_low as u32 * b as u32) >> 13;
-    (a_high * b + low as i32) >> 1
 }
 
 #[inline(always)]
@@ -202,9 +182,6 @@ mod tests {
             );
             let (a, b) = (a.cast_signed(), b.cast_signed());
             assert_eq!(mul_high_by_halves(a, b), ((i64::from(a) * i64::from(b)) >> 32) as i32);
-            let (a, b) = (a >> 1, b.saturating_abs());
-            let want = (i64::from(a & !0x3F) * i64::from(b & !0xFFF)) >> 32;
-            assert_eq!(i64::from(mul_high_short_by_parts(a, b)), want);
         };
         for a in CORNERS {
             for b in CORNERS {
