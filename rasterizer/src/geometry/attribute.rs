@@ -67,8 +67,9 @@ pub trait DepthFormat: Attribute {
 impl DepthFormat for u16 {
     #[inline(always)]
     fn from_fraction(q32: u32) -> Self {
-        let rounded = (q32 >> 16) + (q32 >> 15 & 1);
-        rounded.clamp(1, 65_535) as Self
+        // Up to 2^16.
+        let rounded = ((q32 >> 15) + 1) >> 1;
+        (rounded - (rounded >> 16)).max(1) as Self
     }
 }
 

@@ -16,10 +16,10 @@ pub trait Sealed {
     /// The projection in the units of one object's clip space.
     type Lens: Lens;
 
-    /// How many pixels show one unit at w = 1.
-    fn magnification(&self, viewport_height: u32) -> Float;
+    /// The lengths of clip space in one of the world: pixels across at w = 1, and units of z.
+    fn magnification(&self, viewport_height: u32) -> [Float; 2];
 
-    /// The near and the far distance.
+    /// The near and the far distance in units of z.
     fn depth_range(&self) -> [Float; 2];
 
     /// The units of clip space, as exponents of 2, for an object whose x and y (as multiples of the guard band at
@@ -41,11 +41,11 @@ pub struct Units {
 
 /// A projection at work on vertices in clip space.
 pub trait Lens: Copy + core::fmt::Debug {
-    /// What x and y are divided by: over 0 and below 2^31 for a z from the near plane on.
+    /// What x and y are divided by: over 0 and below 2^30 for a z from the near plane on.
     fn w(&self, z: i32) -> i32;
 
-    /// 1 / w.
-    fn reciprocal(&self, w: i32) -> Reciprocal;
+    /// 1 / 2 w.
+    fn reciprocal_of_twice(&self, w: i32) -> Reciprocal;
 
     /// Depth in Q0.32.
     fn depth(&self, z: i32, reciprocal: Reciprocal) -> u32;
@@ -57,12 +57,15 @@ const BITS: i32 = 30;
 impl Sealed for Perspective {
     type Lens = PerspectiveLens;
 
-    fn magnification(&self, viewport_height: u32) -> Float {
-        self.focal_length(viewport_height)
+    /// In multiples of the near distance: depth is then 1 / z.
+    fn magnification(&self, viewport_height: u32) -> [Float; 2] {
+        let per_unit = Float::from_unsigned(self.near()).reciprocal();
+        [self.focal_length(viewport_height).times(per_unit), per_unit]
     }
 
     fn depth_range(&self) -> [Float; 2] {
-        [self.near(), self.far()].map(Float::from_unsigned)
+        let [near, far] = [self.near(), self.far()].map(Float::from_unsigned);
+        [Float::new(1, 0), far.times(near.reciprocal())]
     }
 
     /// w is z, so that all three have the same unit.
@@ -72,10 +75,8 @@ impl Sealed for Perspective {
     }
 
     fn lens(&self, units: Units) -> PerspectiveLens {
-        let near = Float::from_unsigned(self.near());
         PerspectiveLens {
-            near: near.mantissa.unsigned_abs() << 1,
-            exponent: near.exponent - units.z,
+            down: (30 + units.z).max(0).unsigned_abs(),
         }
     }
 }
@@ -83,10 +84,8 @@ impl Sealed for Perspective {
 /// w = z; depth = near / z.
 #[derive(Clone, Copy, Debug)]
 pub struct PerspectiveLens {
-    /// The near distance's mantissa, from 2^31.
-    near: u32,
-    /// The near distance is `near / 2 * 2^exponent` units.
-    exponent: i32,
+    /// The leading zeros of twice the near distance, or what they would be if it is less than a unit.
+    down: u32,
 }
 
 impl Lens for PerspectiveLens {
@@ -96,32 +95,23 @@ impl Lens for PerspectiveLens {
     }
 
     #[inline(always)]
-    fn reciprocal(&self, w: i32) -> Reciprocal {
-        Reciprocal::of(w as u32)
+    fn reciprocal_of_twice(&self, w: i32) -> Reciprocal {
+        Reciprocal::of((w << 1) as u32)
     }
 
     #[inline(always)]
     fn depth(&self, _: i32, reciprocal: Reciprocal) -> u32 {
-        // near / z = (near / 2) 2^exponent r 2^(leading_zeros - 62); times 2^32, and the product's upper half is
-        // near (2 r) / 2^32.
-        let product = mul_high_unsigned(self.near, (reciprocal.mantissa as u32) << 1);
-        let shift = self.exponent + reciprocal.leading_zeros as i32;
-        if shift <= 0 {
-            product.checked_shr(shift.unsigned_abs()).unwrap_or(0)
-        } else if product.leading_zeros() as i32 >= shift {
-            product << shift
-        } else {
-            // The near plane is rounded to a whole unit of z: depth may reach 1 there, never pass it.
-            u32::MAX
-        }
+        // near / z = 2^(30 - down) r 2^(leading_zeros - 61), times 2^32. No z has more leading zeros than the near plane.
+        let down = self.down - reciprocal.leading_zeros;
+        ((reciprocal.mantissa as u32) << 1) >> down.min(31)
     }
 }
 
 impl Sealed for Orthographic {
     type Lens = OrthographicLens;
 
-    fn magnification(&self, viewport_height: u32) -> Float {
-        self.pixels_per_unit(viewport_height)
+    fn magnification(&self, viewport_height: u32) -> [Float; 2] {
+        [self.pixels_per_unit(viewport_height), Float::new(1, 0)]
     }
 
     fn depth_range(&self) -> [Float; 2] {
@@ -130,7 +120,8 @@ impl Sealed for Orthographic {
 
     /// w = 1 is a whole number of units, and the far plane can be named in z.
     fn units(&self, xy: i32, z: i32) -> Option<Units> {
-        let xy = (xy - BITS).max(-BITS);
+        // Below 2^30, so that the sum of w and a coordinate as large fits too.
+        let xy = (xy - BITS).max(1 - BITS);
         let [_, far] = self.depth_range();
         (xy <= 0).then(|| Units {
             xy,
@@ -143,9 +134,9 @@ impl Sealed for Orthographic {
         let w = 1 << -units.xy;
         OrthographicLens {
             w,
-            reciprocal: Reciprocal::of(w as u32),
+            reciprocal: Reciprocal::of((w << 1) as u32),
             far,
-            range: Reciprocal::of(far.wrapping_sub(near) as u32),
+            range: Reciprocal::of(far.wrapping_sub(near).max(1) as u32),
         }
     }
 }
@@ -166,7 +157,7 @@ impl Lens for OrthographicLens {
     }
 
     #[inline(always)]
-    fn reciprocal(&self, _: i32) -> Reciprocal {
+    fn reciprocal_of_twice(&self, _: i32) -> Reciprocal {
         self.reciprocal
     }
 

@@ -6,7 +6,7 @@ use super::{
 use crate::{
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Float, dot, mul_high},
+    numbers::{Float, IS_NARROW, dot, mul_high, saturate},
 };
 
 /// A point in clip space.
@@ -26,35 +26,47 @@ pub(crate) struct ClipVertex<V> {
 
 /// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
 ///
-/// Its entries have 14 bits behind the point of a clip-space unit, and are kept as `high * 2^14 + low`: with positions
-/// of 16 bits and entries below 2^28, all products and their sums fit 32 bits, so that no core needs a long multiply.
+/// Its entries have 16 bits behind the point of a clip-space unit. Where there is no long multiply they are kept as
+/// `high * 2^16 + low`: their products with positions of 16 bits fit 32 then.
 #[derive(Clone, Copy, Debug)]
-struct Row {
-    high: [i32; 3],
-    low: [i32; 3],
+struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
+    /// The entries, or their upper and their lower halves.
+    entries: [[i32; 3]; PARTS],
     translation: i32,
 }
 
-const FRACTION_BITS: u32 = 14;
+const FRACTION_BITS: u32 = 16;
 
-impl Row {
+/// What no coordinate reaches.
+const BEYOND: i32 = 1 << 30;
+
+impl<const PARTS: usize> Row<PARTS> {
     /// The entries and the translation in units of 2^`unit`.
     #[inline(never)]
     fn new(entries: [Float; 3], translation: Float, unit: i32) -> Self {
         let entries = entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
+        let part = |part: usize| {
+            entries.map(|m| match (PARTS, part) {
+                (1, _) => m,
+                (_, 0) => m >> FRACTION_BITS,
+                _ => m & ((1 << FRACTION_BITS) - 1),
+            })
+        };
         Self {
-            high: entries.map(|m| m >> FRACTION_BITS),
-            low: entries.map(|m| m & ((1 << FRACTION_BITS) - 1)),
+            entries: core::array::from_fn(part),
             translation: translation.in_units_of(unit),
         }
     }
 
-    /// ⌊entries . p⌋ + translation, exactly.
+    /// Entries . p + translation, each product rounded down.
     #[inline(always)]
-    const fn apply(&self, [x, y, z]: [i32; 3]) -> i32 {
-        let high = x * self.high[0] + y * self.high[1] + z * self.high[2];
-        let low = x * self.low[0] + y * self.low[1] + z * self.low[2];
-        high + (low >> FRACTION_BITS) + self.translation
+    fn apply(&self, [x, y, z]: [i32; 3]) -> i32 {
+        let sum = match *self.entries.as_slice() {
+            [[a, b, c]] => mul_high(a, x << 16) + mul_high(b, y << 16) + mul_high(c, z << 16),
+            [[a, b, c], [d, e, f]] => a * x + b * y + c * z + ((d * x) >> 16) + ((e * y) >> 16) + ((f * z) >> 16),
+            _ => 0,
+        };
+        sum + self.translation
     }
 }
 
@@ -77,13 +89,13 @@ impl<P: Projection> Transform<P> {
     pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<Self, PoseError> {
         let projection = camera.projection();
         let viewport = camera.viewport();
-        // World units for a quantum of the mesh, and guard bands for a world unit at w = 1. The y axis turns over.
+        // World units for a quantum of the mesh, and guard bands and units of z for a world unit at w = 1. The y axis
+        // turns over.
         let quantum = Float::from_unsigned(pose.scale).times(Float::from_scale(tables.scale));
-        let across = projection
-            .magnification(viewport.size.height)
-            .times(Float::new(1, -(GUARD_BITS as i32)));
+        let [pixels, deep] = projection.magnification(viewport.size.height);
+        let across = pixels.times(Float::new(1, -(GUARD_BITS as i32)));
         let down = Float::new(-1, 0).times(across);
-        let magnification = [across, down, Float::new(1, 0)];
+        let magnification = [across, down, deep];
         let columns = pose.rotation.inverse().to_bits();
         let entries: [[Float; 3]; 3] = core::array::from_fn(|row| {
             core::array::from_fn(|column| entry(&camera.axes()[row], &columns[column], quantum, magnification[row]))
@@ -100,8 +112,8 @@ impl<P: Projection> Transform<P> {
         let (corner, size) = (viewport.top_left, viewport.size);
         Ok(Self {
             rows: [row(0, units.xy), row(1, units.xy), row(2, units.z)],
-            near: near.max(1),
-            far,
+            near: near.clamp(1, BEYOND),
+            far: far.min(BEYOND),
             lens: projection.lens(units),
             center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
             size: [size.width, size.height],
@@ -136,22 +148,20 @@ impl<P: Projection> Transform<P> {
         vertex: ClipVertex<V>,
     ) -> ScreenVertex<S, D, V> {
         let ClipVertex { x, y, z, varyings } = vertex;
-        if z < self.near || z > self.far {
-            return ScreenVertex::off_screen(varyings);
-        }
         let w = self.lens.w(z);
-        if x.unsigned_abs() > w as u32 || y.unsigned_abs() > w as u32 {
+        // Negative if one of them is: no coordinate reaches 2^30.
+        if ((z - self.near) | (self.far - z) | (w - x) | (w + x) | (w - y) | (w + y)) < 0 {
             return ScreenVertex::off_screen(varyings);
         }
-        let reciprocal = self.lens.reciprocal(w);
-        // x / w in Q31, by |x| <= w < 2^31: (x << (n - 1)) r / 2^62 * 2, where r = 2^62 / (w << n). Its upper half
-        // has 32 - 1 - 2 = 29 bits behind the point; 10 + S of them are sub-pixels of the guard band.
+        let reciprocal = self.lens.reciprocal_of_twice(w);
+        // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper half has 29 bits behind
+        // the point; 10 + S of them are sub-pixels of the guard band.
         let to_subpixels = |c: i32, center: i32| {
-            let quotient = mul_high(c << (reciprocal.leading_zeros - 1), reciprocal.mantissa);
+            let quotient = mul_high(c << reciprocal.leading_zeros, reciprocal.mantissa);
             let drop = 29 - GUARD_BITS - S::BITS;
             let subpixels = (quotient + (1 << (drop - 1))) >> drop;
             let limit = 1 << (GUARD_BITS + S::BITS);
-            subpixels.clamp(-limit, limit - 1) + (center << (S::BITS - 1))
+            saturate(subpixels, limit) + (center << (S::BITS - 1))
         };
         ScreenVertex::new(
             to_subpixels(x, self.center[0]),
@@ -351,6 +361,20 @@ mod tests {
             }
         }
         assert!(seen > 20, "only {seen} cases show anything");
+    }
+
+    /// Only the form differs, and with it what cores need for it.
+    #[test]
+    fn rows_in_parts_give_what_whole_rows_give() {
+        let mut state = 0x1234_5678_9ABC_DEF1;
+        for _ in 0..100_000 {
+            let entries = [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -24));
+            let translation = Float::new(i64::from(random(&mut state)), 10);
+            let p = [0; 3].map(|_| i32::from(random(&mut state)));
+            let whole = Row::<1>::new(entries, translation, 0).apply(p);
+            let parts = Row::<2>::new(entries, translation, 0).apply(p);
+            assert_eq!(whole, parts, "{entries:?} {p:?}");
+        }
     }
 
     #[test]

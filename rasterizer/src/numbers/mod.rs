@@ -24,7 +24,9 @@ mod vector;
 pub use angle::Angle;
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
-pub(crate) use narrow::{HAS_UNALIGNED_WORDS, IS_NARROW, divide_small, leading_zeros, mul_high, mul_high_unsigned};
+pub(crate) use narrow::{
+    HAS_UNALIGNED_WORDS, IS_NARROW, divide_small, leading_zeros, mul_high, mul_high_unsigned, saturate,
+};
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;
 pub use rotation::Rotation;

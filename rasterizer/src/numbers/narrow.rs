@@ -35,6 +35,17 @@ pub(crate) const fn leading_zeros(value: u32) -> u32 {
     }
 }
 
+/// A positive number shifted up to its most significant bit, and by how many bits.
+#[inline(always)]
+pub(crate) const fn normalised(value: u32) -> (u32, u32) {
+    if IS_NARROW {
+        normalised_by_nibbles(value)
+    } else {
+        let zeros = value.leading_zeros();
+        (value << zeros, zeros)
+    }
+}
+
 /// ⌊a / b⌋, for quotients that are mostly small; 0 for a `b` of 0.
 ///
 /// A routine that divides takes `ARMv6-M` some 80 instructions. Taking off the divisor takes 5 a time.
@@ -47,6 +58,19 @@ pub(crate) const fn divide_small(a: u32, b: u32) -> u32 {
             Some(quotient) => quotient,
             None => 0,
         }
+    }
+}
+
+/// The number or `limit` - 1, whichever is less, for numbers not below -`limit`, a power of two.
+#[inline(always)]
+pub(crate) const fn saturate(value: i32, limit: i32) -> i32 {
+    if value >= limit {
+        limit - 1
+    } else if !IS_NARROW && value < -limit {
+        // With both ends it is a single instruction of cores that have one for it.
+        -limit
+    } else {
+        value
     }
 }
 
@@ -96,9 +120,23 @@ const fn divide_by_subtraction(a: u32, b: u32) -> u32 {
     quotient
 }
 
+/// The leading zeros of four bits.
+const ZEROS: [u8; 16] = [4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
+
+/// A loop, as compilers make two branches of each condition that moves two numbers.
+#[inline(always)]
+const fn normalised_by_nibbles(value: u32) -> (u32, u32) {
+    let (mut rest, mut zeros) = (value, 0);
+    while rest >> 28 == 0 && zeros < 28 {
+        rest <<= 4;
+        zeros += 4;
+    }
+    let few = ZEROS[(rest >> 28) as usize] as u32;
+    (rest << few, zeros + few)
+}
+
 #[inline(always)]
 const fn leading_zeros_by_table(value: u32) -> u32 {
-    const ZEROS: [u8; 16] = [4, 3, 2, 2, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
     let (mut rest, mut zeros) = (value, 0);
     if rest >> 16 == 0 {
         rest <<= 16;
@@ -172,7 +210,11 @@ mod tests {
     fn table_counts_leading_zeros() {
         for bit in 0..32 {
             for value in [1u32 << bit, (1 << bit) - 1, u32::MAX >> bit, (1 << bit) | 1] {
-                assert_eq!(leading_zeros_by_table(value), value.leading_zeros(), "{value:#x}");
+                let zeros = value.leading_zeros();
+                assert_eq!(leading_zeros_by_table(value), zeros, "{value:#x}");
+                if value > 0 {
+                    assert_eq!(normalised_by_nibbles(value), (value << zeros, zeros), "{value:#x}");
+                }
             }
         }
     }

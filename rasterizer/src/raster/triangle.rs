@@ -3,7 +3,10 @@
 use core::hint::black_box;
 
 use super::{Interpolate, Layout, Span, Window, edge::Edge, gradient::TriangleSetup};
-use crate::geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings};
+use crate::{
+    geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings},
+    numbers::IS_NARROW,
+};
 
 /// Twice the area of a triangle on the screen in square sub-pixels: negative if its corners run counter-clockwise, as y
 /// runs downwards. Exact.
@@ -12,8 +15,10 @@ use crate::geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings};
 pub fn signed_area<S: Subpixel, D, V>([a, b, c]: [&ScreenVertex<S, D, V>; 3]) -> i64 {
     let (dx1, dy1) = (b.x - a.x, b.y - a.y);
     let (dx2, dy2) = (c.x - a.x, c.y - a.y);
-    if S::BITS <= 4 {
-        // At most the area of the guard band's square, 2^30; the products may wrap.
+    let half = 1 << 15;
+    if S::BITS <= 4 || (IS_NARROW && ((dx1 + half) | (dy1 + half) | (dx2 + half) | (dy2 + half)) as u32 >> 16 == 0) {
+        // At most the area of the guard band's square in sixteenths, 2^30, where the products may wrap; or the difference
+        // of products of 16 bits.
         i64::from(dx1.wrapping_mul(dy2).wrapping_sub(dx2.wrapping_mul(dy1)))
     } else {
         i64::from(dx1) * i64::from(dy2) - i64::from(dx2) * i64::from(dy1)

@@ -20,7 +20,7 @@ pub use vertices::{Vertices, Walked};
 use crate::{
     camera::Camera,
     geometry::{CullBack, Culling, DepthFormat, Pose, Projection, ScreenVertex, Subpixel, Transform},
-    mesh::Mesh,
+    mesh::{Mesh, Tables},
     raster::Interpolate,
     shade::Shader,
     target::Target,
@@ -103,14 +103,13 @@ impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
         let vertices = storage
             .get_mut(..needed)
             .ok_or(ProjectError::VertexStorage { needed })?;
-        let seen = self.seen_by(camera)?;
-        if seen.is_hidden() {
-            return Ok(seen.over(&[]));
-        }
-        for (index, vertex) in vertices.iter_mut().enumerate() {
-            *vertex = seen.on_screen(index);
-        }
-        Ok(seen.over(vertices))
+        self.seen_by(camera, |tables, shader, transform, is_hidden| {
+            if is_hidden {
+                return &[][..];
+            }
+            projected::place(tables, shader, transform, vertices);
+            vertices
+        })
     }
 
     /// The object as the camera sees it, without storage for its vertices: each is worked out when a triangle needs it,
@@ -128,16 +127,24 @@ impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
         camera: &Camera<P>,
         precision: S,
     ) -> Result<Projected<'a, Walked<S, D>, P, Sh, K>, ProjectError> {
-        Ok(self.seen_by(camera)?.over(Walked::new(precision)))
+        self.seen_by(camera, |_, _, _, _| Walked::new(precision))
     }
 
-    fn seen_by<P: Projection>(&self, camera: &Camera<P>) -> Result<Projected<'a, (), P, Sh, K>, ProjectError> {
+    fn seen_by<P: Projection, V>(
+        &self,
+        camera: &Camera<P>,
+        vertices: impl FnOnce(&Tables<'_>, &Sh, &Transform<P>, bool) -> V,
+    ) -> Result<Projected<'a, V, P, Sh, K>, ProjectError> {
         let tables = self.mesh.tables();
         error::check_tables(tables, Sh::TABLES)?;
         let transform = Transform::new(camera, &self.pose, tables)?;
         let is_hidden = transform.hides(&self.mesh.bounds().cuboid);
         let shader = self.shader.in_object_space(&self.pose);
-        Ok(Projected::new(tables, shader, transform, is_hidden, &camera.viewport()))
+        let vertices = vertices(tables, &shader, &transform, is_hidden);
+        let viewport = camera.viewport();
+        Ok(Projected::new(
+            tables, shader, transform, is_hidden, &viewport, vertices,
+        ))
     }
 
     /// Draws it: [`project`](Self::project) and [`Projected::draw`] at once.

@@ -1,6 +1,6 @@
 //! An object as the camera sees it, ready to be drawn.
 
-use core::{convert::Infallible, marker::PhantomData, ops::Range};
+use core::{convert::Infallible, hint::black_box, marker::PhantomData, ops::Range};
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
@@ -39,30 +39,28 @@ pub struct Projected<'a, V, P: Projection, Sh: Shader, K = CullBack> {
     culling: PhantomData<K>,
 }
 
-impl<'a, P: Projection, Sh: Shader, K: Culling> Projected<'a, (), P, Sh, K> {
-    /// Without vertices yet.
+impl<'a, V, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
     pub(super) const fn new(
         tables: &'a Tables<'a>,
         shader: Sh,
         transform: Transform<P>,
         is_hidden: bool,
         viewport: &Rectangle,
+        vertices: V,
     ) -> Self {
         Self {
             tables,
             shader,
             transform,
-            vertices: (),
+            vertices,
             is_hidden,
             viewport: Window::new(viewport),
             culling: PhantomData,
         }
     }
-}
 
-impl<'a, V, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
     /// The same with vertices from elsewhere.
-    pub(super) fn over<W>(self, vertices: W) -> Projected<'a, W, P, Sh, K> {
+    fn over<W>(self, vertices: W) -> Projected<'a, W, P, Sh, K> {
         Projected {
             tables: self.tables,
             shader: self.shader,
@@ -86,20 +84,6 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
 
     pub(super) const fn viewport(&self) -> &Window {
         &self.viewport
-    }
-
-    /// A vertex in clip space.
-    #[inline(always)]
-    fn in_clip_space(&self, index: usize) -> ClipVertex<Sh::Varyings> {
-        let vertex = MeshVertex::new(self.tables, index);
-        self.transform
-            .object_to_clip(vertex.position(), self.shader.vertex(&vertex))
-    }
-
-    /// A vertex on the screen.
-    #[inline(always)]
-    pub(super) fn on_screen<S: Subpixel, D: DepthFormat>(&self, index: usize) -> ScreenVertex<S, D, Sh::Varyings> {
-        self.transform.clip_to_screen(self.in_clip_space(index))
     }
 }
 
@@ -222,11 +206,13 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
         if self.is_hidden {
             return Ok(());
         }
+        let table = self.tables.triangles;
         for index in triangles {
-            let Some(indices) = self.tables.triangles.get(index) else {
+            let Some(indices) = table.get(index) else {
                 break;
             };
-            let Some(corners) = lookup.corners(indices, |index| self.on_screen(index)) else {
+            let place = |index| on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index));
+            let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
             if corners.iter().all(|corner| corner.is_on_screen()) {
@@ -248,12 +234,10 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
     /// The signed area of a triangle that is seen and may reach `rows`.
     #[inline(always)]
     fn visible_area(corners: Corners<'_, V::Subpixel, V::Depth, Sh>, rows: Rows) -> Option<i64> {
-        if rows.are_missed_by(corners.map(|corner| corner.y)) {
-            return None;
-        }
         let area = signed_area(corners);
         // Counter-clockwise is negative, as y runs downwards.
-        ((area < 0 && K::FRONT) || (area > 0 && K::BACK)).then_some(area)
+        let is_seen = (area < 0 && K::FRONT) || (area > 0 && K::BACK);
+        (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
     }
 
     /// What near plane, far plane and guard band leave of a triangle.
@@ -274,6 +258,41 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
         }
         corners
     }
+}
+
+/// Works out the vertices on the screen, as many as there is room for. A function of its own: the loop needs its
+/// registers.
+#[inline(never)]
+pub(super) fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
+    tables: &Tables<'_>,
+    shader: &Sh,
+    transform: &Transform<P>,
+    vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
+) {
+    // Tables of that length, so that the loop need not look whether they end.
+    let count = vertices.len();
+    let Some(tables) = tables.of_vertices(count, Sh::TABLES) else {
+        return;
+    };
+    // A copy on the stack that anyone might write to: compilers read it from there for each vertex. Else they take its
+    // numbers for constants of the loop, spill them, and need a copy of a factor for each multiplication.
+    let mut transform = *transform;
+    black_box(&mut transform);
+    for (index, vertex) in (0..count).zip(vertices) {
+        black_box(());
+        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
+    }
+}
+
+/// A vertex on the screen.
+#[inline(always)]
+fn on_screen<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
+    shader: &Sh,
+    transform: &Transform<P>,
+    vertex: &MeshVertex<'_>,
+) -> ScreenVertex<S, D, Sh::Varyings> {
+    let varyings = shader.vertex(vertex);
+    transform.clip_to_screen(transform.object_to_clip(vertex.position(), varyings))
 }
 
 /// The columns and rows whose centres lie between the corners of a triangle.

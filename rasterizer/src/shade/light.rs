@@ -4,7 +4,7 @@ use fixed::types::U1F15;
 
 use crate::{
     geometry::Pose,
-    numbers::{Vec3, dot, unit},
+    numbers::{Vec3, dot, mul_high, unit},
 };
 
 /// A brightness: Q1.15, where 1 is full.
@@ -17,13 +17,12 @@ pub type Level = U1F15;
 pub struct Light {
     /// The direction towards the light, of length one, in Q30.
     toward: [i32; 3],
-    /// The same in Q14: what the normals are multiplied with.
-    factors: [i16; 3],
+    /// The same times the gain, in Q28: what the normals are multiplied with.
+    factors: [i32; 3],
     ambient: Level,
     diffuse: Level,
-    /// 2^6 / (127 2^14) x `diffuse` / 2^15 in Q30, rounded down: what turns 2^-6 of the factors' product with a normal
-    /// into light. Here, so that no vertex divides.
-    gain: u32,
+    /// `diffuse` / 127 in Q30, rounded down. Here, so that no object divides.
+    gain: i32,
 }
 
 impl Light {
@@ -35,12 +34,13 @@ impl Light {
             Some(toward) => toward,
             None => [0; 3],
         };
+        let gain = (((diffuse.to_bits() as u32) << 15) / 127) as i32;
         Self {
             toward,
-            factors: factors(toward),
+            factors: factors(toward, gain),
             ambient,
             diffuse,
-            gain: diffuse.to_bits() as u32 * 128 / 127,
+            gain,
         }
     }
 
@@ -51,7 +51,7 @@ impl Light {
         let toward = rows.map(|row| ((dot(&row, &self.toward) + (1 << 29)) >> 30) as i32);
         Self {
             toward,
-            factors: factors(toward),
+            factors: factors(toward, self.gain),
             ..*self
         }
     }
@@ -62,12 +62,11 @@ impl Light {
     #[must_use]
     pub fn level(&self, normal: [i8; 3]) -> u32 {
         let [x, y, z] = normal.map(i32::from);
-        let [lx, ly, lz] = self.factors.map(i32::from);
-        // 127 x 2^14 for a surface that faces the light: 15 bits after the shift.
-        let cosine = ((x * lx + y * ly + z * lz) >> 6).max(0) as u32;
-        // The gain is below 2^17, the product below 2^32 even for normals that rounding made 1 % longer.
-        let level = (u32::from(self.ambient.to_bits()) << 1) + ((cosine * self.gain) >> 14);
-        level.min(1 << 16)
+        let [lx, ly, lz] = self.factors;
+        // Both are below 2 and so below 2^29, even for normals that rounding made 1 % longer.
+        let direct = (x * lx + y * ly + z * lz).max(0) as u32;
+        let level = (u32::from(self.ambient.to_bits()) << 13) + direct;
+        level.min(1 << 28) >> 12
     }
 
     /// The direction towards the light in Q30.
@@ -89,14 +88,9 @@ impl Light {
     }
 }
 
-/// Q30 to Q14, rounded.
-const fn factors([x, y, z]: [i32; 3]) -> [i16; 3] {
-    let half = 1 << 15;
-    [
-        ((x + half) >> 16) as i16,
-        ((y + half) >> 16) as i16,
-        ((z + half) >> 16) as i16,
-    ]
+/// Q30 x Q30 to Q28.
+const fn factors([x, y, z]: [i32; 3], gain: i32) -> [i32; 3] {
+    [mul_high(x, gain), mul_high(y, gain), mul_high(z, gain)]
 }
 
 #[cfg(test)]
