@@ -153,7 +153,7 @@ mod tests {
             triangles: Triangles::U8(&[]),
             materials: &[],
         };
-        Transform::new(&camera, &Pose::IDENTITY, &tables).unwrap()
+        Transform::new(&camera, &Pose::IDENTITY, &tables)
     }
 
     fn vertex(transform: &Transform<Perspective>, position: [i16; 3]) -> ClipVertex<[u16; 1]> {

@@ -6,7 +6,7 @@ use super::{
 use crate::{
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Float, dot, mul_high},
+    numbers::{Float, dot, leading_zeros, mul_high},
 };
 
 /// A point in clip space.
@@ -38,14 +38,14 @@ struct Row {
 const FRACTION_BITS: u32 = 14;
 
 impl Row {
-    /// The entries and the translation in units of 2^`unit`.
+    /// The row's terms in units of 2^`unit`.
     #[inline(never)]
-    fn new(entries: [Float; 3], translation: Float, unit: i32) -> Self {
-        let entries = entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
+    fn new(terms: &Terms, unit: i32) -> Self {
+        let entries = terms.entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
         Self {
             high: entries.map(|m| m >> FRACTION_BITS),
             low: entries.map(|m| m & ((1 << FRACTION_BITS) - 1)),
-            translation: translation.in_units_of(unit),
+            translation: terms.translation.in_units_of(unit),
         }
     }
 
@@ -55,6 +55,36 @@ impl Row {
         let high = x * self.high[0] + y * self.high[1] + z * self.high[2];
         let low = x * self.low[0] + y * self.low[1] + z * self.low[2];
         high + (low >> FRACTION_BITS) + self.translation
+    }
+}
+
+/// A row before its unit is known.
+struct Terms {
+    entries: [Float; 3],
+    translation: Float,
+}
+
+impl Terms {
+    /// For a direction in Q30 of the mesh's axes whose quanta are so long, and for the mesh's place in this direction, both
+    /// magnified.
+    ///
+    /// Like the rest of what makes a matrix, it is called rather than inlined: it is used for each of three rows, once a
+    /// frame.
+    #[inline(never)]
+    fn new(direction: &[i32; 3], quantum: Float, place: Float, magnification: Float) -> Self {
+        let length = quantum.times(magnification);
+        Self {
+            entries: direction.map(|c| Float::new(i64::from(c), -30).times(length)),
+            translation: place.times(magnification),
+        }
+    }
+
+    /// The least n for which a coordinate stays below 2^n.
+    #[inline(never)]
+    fn magnitude(&self) -> i32 {
+        // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
+        let largest = self.entries.iter().map(|m| m.magnitude() + 15);
+        largest.fold(self.translation.magnitude(), i32::max) + 2
     }
 }
 
@@ -74,38 +104,37 @@ impl<P: Projection> Transform<P> {
     /// Pose, camera, focal length and the mesh's own scale in one matrix.
     // The caller's frame would hold all of it while triangles are drawn.
     #[inline(never)]
-    pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<Self, PoseError> {
+    pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Self {
         let projection = camera.projection();
         let viewport = camera.viewport();
-        // World units for a quantum of the mesh, and guard bands for a world unit at w = 1. The y axis turns over.
+        // World units for a quantum of the mesh, and guard bands for a world unit at w = 1.
         let quantum = Float::from_unsigned(pose.scale).times(Float::from_scale(tables.scale));
         let across = projection
             .magnification(viewport.size.height)
             .times(Float::new(1, -(GUARD_BITS as i32)));
-        let down = Float::new(-1, 0).times(across);
-        let magnification = [across, down, Float::new(1, 0)];
-        let columns = pose.rotation.inverse().to_bits();
-        let entries: [[Float; 3]; 3] = core::array::from_fn(|row| {
-            core::array::from_fn(|column| entry(&camera.axes()[row], &columns[column], quantum, magnification[row]))
+        let origin = origin(camera, pose, tables);
+        let [x, y, z] = core::array::from_fn(|row| {
+            let direction = pose.rotation.turn_back(&camera.axes()[row]);
+            let magnification = if row < 2 { across } else { Float::ONE };
+            Terms::new(&direction, quantum, origin[row], magnification)
         });
-        let origin = origin(camera, pose, tables)?;
-        let translation: [Float; 3] = core::array::from_fn(|row| origin[row].times(magnification[row]));
 
-        let magnitude = |row: usize| magnitude(&entries[row], translation[row]);
-        let units = projection
-            .units(magnitude(0).max(magnitude(1)), magnitude(2))
-            .ok_or(PoseError)?;
-        let row = |row: usize, unit: i32| Row::new(entries[row], translation[row], unit);
+        let units = projection.units(x.magnitude().max(y.magnitude()), z.magnitude());
         let [near, far] = projection.depth_range().map(|d| d.in_units_of(units.z));
         let (corner, size) = (viewport.top_left, viewport.size);
-        Ok(Self {
-            rows: [row(0, units.xy), row(1, units.xy), row(2, units.z)],
+        Self {
+            rows: [Row::new(&x, units.xy), Row::new(&y, units.xy), Row::new(&z, units.z)],
             near: near.max(1),
             far,
             lens: projection.lens(units),
             center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
             size: [size.width, size.height],
-        })
+        }
+    }
+
+    /// Whether the object is small enough for the projection's numbers; nothing else can be asked if it isn't.
+    pub(crate) fn check(&self) -> Result<(), PoseError> {
+        self.lens.is_in_range().then_some(()).ok_or(PoseError)
     }
 
     /// A position of the mesh in clip space.
@@ -186,48 +215,29 @@ impl<P: Projection> Transform<P> {
     }
 }
 
-/// An entry of the matrix. Like the rest of what makes one, it is called rather than inlined: it is used for each of nine
-/// entries, and once a frame.
+/// Where position (0, 0, 0) of the table lies in view space: right, down, forward.
 #[inline(never)]
-fn entry(axis: &[i32; 3], column: &[i32; 3], quantum: Float, magnification: Float) -> Float {
-    Float::new(dot(axis, column), -60).times(quantum).times(magnification)
-}
-
-/// The least n for which a coordinate stays below 2^n.
-#[inline(never)]
-fn magnitude(entries: &[Float; 3], translation: Float) -> i32 {
-    // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
-    let largest = entries.iter().map(|m| m.magnitude() + 15);
-    largest.fold(translation.magnitude(), i32::max) + 2
-}
-
-/// Where position (0, 0, 0) of the table lies in view space: right, up, forward.
-fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Float; 3], PoseError> {
-    let (rows, offset) = (pose.rotation.to_bits(), tables.offset.to_bits());
+fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> [Float; 3] {
+    let (rows, offset) = (pose.rotation.to_bits(), tables.offset.to_bits().map(i64::from));
     let (translation, eye) = (pose.translation.to_bits(), camera.eye().to_bits());
-    let mut from_eye = [0i64; 3];
-    for axis in 0..3 {
-        // Q30 x Q16, three times: below 2^63. To Q32.
-        let turned = dot(&rows[axis], &offset) >> 14;
-        let shift = (i64::from(translation[axis]) - i64::from(eye[axis])) << 16;
-        from_eye[axis] = scaled_and_shifted(turned, pose.scale.to_bits(), shift).ok_or(PoseError)?;
-    }
-    // To 31 bits, so that products with the camera's axes in Q30 add up in 64.
+    let from_eye: [i64; 3] = core::array::from_fn(|axis| {
+        // Q30 x Q16, three times: below 2^62. To Q31, below 2^47.
+        let turned = (dot(&rows[axis], &offset) + (1 << 14)) >> 15;
+        let way = i64::from(translation[axis]) - i64::from(eye[axis]);
+        scaled(turned, pose.scale.to_bits()) + (way << 15)
+    });
+    // To 32 bits, so that products with the camera's axes in Q30 add up in 64.
     let largest = from_eye.iter().fold(0, |bits, c| bits | c.unsigned_abs());
-    let down = (33 - largest.leading_zeros() as i32).max(0);
-    let from_eye = from_eye.map(|c| if down == 0 { c } else { ((c >> (down - 1)) + 1) >> 1 });
-    Ok(core::array::from_fn(|row| {
-        let sum: i64 = (0..3).map(|k| i64::from(camera.axes()[row][k]) * from_eye[k]).sum();
-        Float::new(sum, down - 62)
-    }))
+    let down = 32 - leading_zeros((largest >> 32) as u32) as i32;
+    let from_eye = from_eye.map(|c| c >> down);
+    camera.axes().map(|axis| Float::new(dot(&axis, &from_eye), down - 61))
 }
 
-/// A coordinate in Q32 times a scale in Q16, and moved; nothing if it leaves the range.
+/// A coordinate below 2^47 times a scale in Q16, rounded: below 2^63, with room for 2^61 more.
 #[inline(never)]
-fn scaled_and_shifted(c: i64, scale: u32, shift: i64) -> Option<i64> {
+fn scaled(c: i64, scale: u32) -> i64 {
     let scale = i64::from(scale);
-    let upper = (c >> 16).checked_mul(scale)?;
-    upper.checked_add(((c & 0xFFFF) * scale) >> 16)?.checked_add(shift)
+    (c >> 16) * scale + (((c & 0xFFFF) * scale + (1 << 15)) >> 16)
 }
 
 #[cfg(test)]
@@ -314,7 +324,7 @@ mod tests {
             let case = Case::random(&mut state);
             let positions: Vec<[i16; 3]> = (0..20).map(|_| [0; 3].map(|_| random(&mut state))).collect();
             let camera = Camera::at(case.eye, case.rotation, projection, VIEWPORT).unwrap();
-            let transform = Transform::new(&camera, &case.pose, &tables(&positions)).unwrap();
+            let transform = Transform::new(&camera, &case.pose, &tables(&positions));
             let mut is_seen = false;
             for &position in &positions {
                 let [right, up, forward] = case.view(position);
@@ -383,7 +393,7 @@ mod tests {
         let hides = |x: &str, y: &str, z: &str| {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
-            let transform = Transform::new(&camera, &pose, &tables(&positions)).unwrap();
+            let transform = Transform::new(&camera, &pose, &tables(&positions));
             transform.hides(&Bounds::of(&positions).cuboid)
         };
         assert!(!hides("0", "0", "-5"));
@@ -399,15 +409,41 @@ mod tests {
         }
     }
 
+    /// 2^31 units of offset along each axis, and 2^15 more: as far away as an object can be.
     #[test]
-    fn out_of_range_is_an_error() {
-        let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+    fn the_farthest_object_is_where_it_should_be() {
+        let camera = |eye, lens| Camera::at(eye, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
+        for offset in [i32::MAX, i32::MIN] {
+            let mut far_off = tables(&[]);
+            far_off.offset = Vec3::from_bits([offset; 3]);
+            let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
+            let eye = Vec3::from_bits([!offset; 3]);
+            let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+            let transform = Transform::new(&camera(eye, lens), &pose, &far_off);
+            assert_eq!(transform.check(), Ok(()));
+            let ClipVertex { x, y, z, .. } = transform.object_to_clip([0; 3], ());
+            // Along (1, 1, 1): down is -y, away -z, and 120 / tan(30 degrees) = 207.8 pixels of 1,024 are a unit.
+            let away = f64::from(z);
+            assert!(away.abs() > f64::from(1 << 27) && (away < 0.0) == (offset > 0), "{z}");
+            for (c, sign) in [(x, -1.0), (y, 1.0)] {
+                let want = sign * away * 120.0 * 3f64.sqrt() / 1024.0;
+                assert!((f64::from(c) / want - 1.0).abs() < 1e-6, "{c} {want}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_object_too_large_for_a_parallel_projection_is_an_error() {
+        let lens = Orthographic::new(U16F16::DELTA, NEAR, FAR).unwrap();
         let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
-        let mut far_off = tables(&[]);
-        far_off.offset = Vec3::from_bits([i32::MAX; 3]);
-        // 2^31 units of offset and 2^15 more: beyond Q32 in 64 bits.
-        let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
-        assert_eq!(Transform::new(&camera, &pose, &far_off).err(), Some(PoseError));
-        assert!(Transform::new(&camera, &Pose::IDENTITY, &far_off).is_ok());
+        let check = |exponent: i32| {
+            let mut large = tables(&[]);
+            large.scale = Scale::new(1, exponent);
+            Transform::new(&camera, &Pose::IDENTITY, &large).check()
+        };
+        // 240 pixels show 2^-16 units, so that the guard band is some 2^-14 units wide.
+        assert_eq!(check(-5), Ok(()));
+        assert_eq!(check(2), Err(PoseError));
+        assert_eq!(check(900), Err(PoseError));
     }
 }
