@@ -120,8 +120,14 @@ impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: 
     /// A function of its own: inlined, it would have a copy of the matrix in the frame of whoever draws.
     #[inline(never)]
     fn fill(&self, storage: &mut [ScreenVertex<S, D, Sh::Varyings>]) {
+        // What is known to be in this frame alone need not be read again after each vertex that is stored.
+        let tables = *self.tables;
+        let seen = Projected {
+            tables: &tables,
+            ..self.clone()
+        };
         for (index, vertex) in storage.iter_mut().enumerate() {
-            *vertex = self.on_screen(index);
+            *vertex = seen.on_screen(index);
         }
     }
 
@@ -254,9 +260,12 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
                 if let Some(area) = Self::visible_area(corners, rows) {
                     visit(index, corners, area)?;
                 }
-            } else if L::CUTS
-                && let Some((hub, rim)) = self.clipped(index).split_first()
-            {
+            } else if L::CUTS {
+                let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+                self.clip(index, &mut polygon);
+                let Some((hub, rim)) = polygon.split_first() else {
+                    continue;
+                };
                 for pair in rim.windows(2) {
                     let corners = [hub, &pair[0], &pair[1]];
                     if let Some(area) = Self::visible_area(corners, rows) {
@@ -279,23 +288,22 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         ((area < 0 && K::FRONT) || (area > 0 && K::BACK)).then_some(area)
     }
 
-    /// What near plane, far plane and guard band leave of a triangle.
+    /// What near plane, far plane and guard band leave of a triangle, into a polygon that is still empty: one that is
+    /// returned is copied.
     #[cold]
     #[inline(never)]
-    fn clipped(&self, index: usize) -> Polygon<V::Subpixel, V::Depth, Sh> {
+    fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
-        let triangle = indices.map(|index| {
+        let triangle = indices.into_iter().map(|index| {
             let vertex = MeshVertex::new(self.tables, index);
             let [x, y, z] = self.transform.few_to_clip(vertex.position());
             let varyings = self.shader.vertex(&vertex);
             ClipVertex { x, y, z, varyings }
         });
-        let mut corners = Polygon::<V::Subpixel, V::Depth, Sh>::new();
-        for &vertex in &clip(triangle, &self.transform) {
+        clip(triangle, &self.transform, |vertex| {
             // There are as many places as `clip` has.
             let _ = corners.push(self.transform.clip_to_screen(vertex));
-        }
-        corners
+        });
     }
 }
 

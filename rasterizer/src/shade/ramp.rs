@@ -23,15 +23,10 @@ impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
 
     /// By a function of the level, from 0 to `LEVELS` - 1.
     #[must_use]
-    pub fn from_fn(mut color: impl FnMut(usize) -> C) -> Self {
-        let mut ramp = Self {
-            colors: [color(0); LEVELS],
-        };
-        // In place, as an array that is made elsewhere is copied.
-        for (level, place) in ramp.colors.iter_mut().enumerate() {
-            *place = color(level);
+    pub fn from_fn(color: impl FnMut(usize) -> C) -> Self {
+        Self {
+            colors: core::array::from_fn(color),
         }
-        ramp
     }
 
     /// A brightness in Q16, 0 to 65,536, as the varying that [`at`](Self::at) takes.
