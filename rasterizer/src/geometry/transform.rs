@@ -6,7 +6,7 @@ use super::{
 use crate::{
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Float, dot, leading_zeros, mul_high},
+    numbers::{Float, dot, mul_high},
 };
 
 /// A point in clip space.
@@ -109,9 +109,8 @@ impl<P: Projection> Transform<P> {
         let viewport = camera.viewport();
         // World units for a quantum of the mesh, and guard bands for a world unit at w = 1.
         let quantum = Float::from_unsigned(pose.scale).times(Float::from_scale(tables.scale));
-        let across = projection
-            .magnification(viewport.size.height)
-            .times(Float::new(1, -(GUARD_BITS as i32)));
+        let mut across = projection.magnification(viewport.size.height);
+        across.exponent -= GUARD_BITS as i32;
         let origin = origin(camera, pose, tables);
         let [x, y, z] = core::array::from_fn(|row| {
             let direction = pose.rotation.turn_back(&camera.axes()[row]);
@@ -220,17 +219,19 @@ impl<P: Projection> Transform<P> {
 fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> [Float; 3] {
     let (rows, offset) = (pose.rotation.to_bits(), tables.offset.to_bits().map(i64::from));
     let (translation, eye) = (pose.translation.to_bits(), camera.eye().to_bits());
-    let from_eye: [i64; 3] = core::array::from_fn(|axis| {
+    let mut from_eye: [i64; 3] = core::array::from_fn(|axis| {
         // Q30 x Q16, three times: below 2^62. To Q31, below 2^47.
         let turned = (dot(&rows[axis], &offset) + (1 << 14)) >> 15;
         let way = i64::from(translation[axis]) - i64::from(eye[axis]);
         scaled(turned, pose.scale.to_bits()) + (way << 15)
     });
     // To 32 bits, so that products with the camera's axes in Q30 add up in 64.
-    let largest = from_eye.iter().fold(0, |bits, c| bits | c.unsigned_abs());
-    let down = 32 - leading_zeros((largest >> 32) as u32) as i32;
-    let from_eye = from_eye.map(|c| c >> down);
-    camera.axes().map(|axis| Float::new(dot(&axis, &from_eye), down - 61))
+    let mut exponent = -61;
+    while from_eye.iter().any(|c| c.unsigned_abs() >> 32 != 0) {
+        from_eye = from_eye.map(|c| c >> 1);
+        exponent += 1;
+    }
+    core::array::from_fn(|row| Float::new(dot(&camera.axes()[row], &from_eye), exponent))
 }
 
 /// A coordinate below 2^47 times a scale in Q16, rounded: below 2^63, with room for 2^61 more.
