@@ -191,26 +191,34 @@ impl<P: Projection> Transform<P> {
 
     /// Whether a box is certain to lie outside the picture: all its corners beyond one and the same plane.
     pub(crate) fn hides(&self, cuboid: &BoundingBox) -> bool {
+        let corners = cuboid.corners();
+        corners
+            .iter()
+            .fold(0b11_1111, |bits, &corner| bits & self.beyond(corner))
+            != 0
+    }
+
+    /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of its own, as compilers
+    /// repeat it for each corner of a box.
+    #[inline(never)]
+    fn beyond(&self, position: [i16; 3]) -> u8 {
+        let [x, y, z] = self.few_to_clip(position);
         // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
-        let half = self.size.map(|pixels| (pixels / 2 + 2) as i32);
-        let mut beyond_all = 0b11_1111u8;
-        for corner in cuboid.corners() {
-            let [x, y, z] = self.few_to_clip(corner);
-            // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31 as the viewport
-            // is no wider than the guard band. Beyond the near plane it may be negative, and the sides are still planes
-            // through the eye: upwards is outwards there too.
-            let w = (self.lens.w(z) >> GUARD_BITS) + 1;
-            let beyond = [
-                z < self.near,
-                z > self.far,
-                x < -w * half[0],
-                x > w * half[0],
-                y < -w * half[1],
-                y > w * half[1],
-            ];
-            beyond_all &= beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside));
-        }
-        beyond_all != 0
+        let [across, down] = self.size.map(|pixels| (pixels / 2 + 2) as i32);
+        // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31 as the viewport is no
+        // wider than the guard band. Beyond the near plane it may be negative, and the sides are still planes through the
+        // eye: upwards is outwards there too.
+        let w = (self.lens.w(z) >> GUARD_BITS) + 1;
+        let (across, down) = (w * across, w * down);
+        let beyond = [
+            z < self.near,
+            z > self.far,
+            x < -across,
+            x > across,
+            y < -down,
+            y > down,
+        ];
+        beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside))
     }
 }
 

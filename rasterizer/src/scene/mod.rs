@@ -133,15 +133,18 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
         camera: &Camera<P>,
         storage: &'v mut [ScreenVertex<S, D, Sh::Varyings>],
     ) -> Result<Stored<'v, 'a, S, D, P, Sh, K, L>, ProjectError> {
-        let needed = self.mesh.vertex_count();
-        let vertices = storage
-            .get_mut(..needed)
-            .ok_or(ProjectError::VertexStorage { needed })?;
-        error::check_tables(self.mesh.tables(), Sh::TABLES)?;
+        let vertices = self.room_in(storage)?;
         let mut seen = Projected::new(self, camera, &[][..]);
         seen.check()?;
         seen.place(vertices);
         Ok(seen)
+    }
+
+    /// As much of the storage as the object needs, if it can be drawn.
+    fn room_in<'v, T>(&self, storage: &'v mut [T]) -> Result<&'v mut [T], ProjectError> {
+        error::check_tables(self.mesh.tables(), Sh::TABLES)?;
+        let needed = self.mesh.vertex_count();
+        storage.get_mut(..needed).ok_or(ProjectError::VertexStorage { needed })
     }
 
     /// The object as the camera sees it, without storage for its vertices: each is worked out when a triangle needs it,
@@ -179,6 +182,11 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
     where
         T::Depth: DepthFormat + Interpolate,
     {
-        self.project(camera, storage)?.draw(target).map_err(DrawError::Target)
+        // What `project` returns would be copied, and both copies stay on the stack while triangles are drawn.
+        let vertices = self.room_in(storage)?;
+        let mut seen = Projected::new(self, camera, &[][..]);
+        seen.check().map_err(ProjectError::from)?;
+        seen.place(vertices);
+        seen.draw(target).map_err(DrawError::Target)
     }
 }
