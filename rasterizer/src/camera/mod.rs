@@ -87,8 +87,9 @@ impl<P> Camera<P> {
     /// What is wrong with the viewport.
     pub fn at(eye: Vec3, rotation: Rotation, projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
         // The rotated axes are its columns.
-        let axis = |column: usize, sign: i32| rotation.rows().map(|row| sign * row[column].to_bits());
-        Self::new(eye, [axis(0, 1), axis(1, -1), axis(2, -1)], projection, viewport)
+        let [x, y, z] = rotation.to_bits();
+        let axes = [[x[0], y[0], z[0]], [-x[1], -y[1], -z[1]], [-x[2], -y[2], -z[2]]];
+        Self::new(eye, axes, projection, viewport)
     }
 
     /// A camera that circles `target` at a distance: `yaw` about the y axis from +z towards +x, `pitch` upwards.

@@ -86,11 +86,9 @@ impl Rotation {
     /// Matrices are made of it, once a frame: a function that is called.
     #[inline(never)]
     pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
-        let v = v.map(i64::from);
-        core::array::from_fn(|column| {
-            let column = self.rows.map(|row| row[column].to_bits());
-            ((dot(&column, &v) + (1 << 29)) >> 30) as i32
-        })
+        let ([x, y, z], v) = (self.to_bits(), v.map(i64::from));
+        let product = |column: [i32; 3]| ((dot(&column, &v) + (1 << 29)) >> 30) as i32;
+        [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]].map(product)
     }
 
     /// The nearest directions at right angles of length one: the first row keeps its direction, the second its plane
