@@ -141,6 +141,7 @@
 //! | depth | the type of the depth buffer | `u16`, `u32`, [`NoDepth`](geometry::NoDepth) |
 //! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
+//! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), [`ClipNone`](geometry::ClipNone) where nothing reaches beyond |
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), or [your own](shade::Shader) |
 //! | order of a pixel's bytes | the shader's colour type | [`Rgb565Be`](target::Rgb565Be) as SPI takes them, any other |
 //! | vertices kept or not | how the object is seen | [`Object::project`](scene::Object::project), [`Object::walk`](scene::Object::walk) |
@@ -167,6 +168,9 @@
 //!   leave a gap one pixel wide, as snapping moves it off the edge.
 //! * Depth is near / w: 1 on the near plane, 0 infinitely far away; larger is nearer, the buffer is cleared to 0, and what
 //!   was drawn first wins a tie.
+//! * What lies before the near plane or beyond the far plane is not seen, and triangles that reach there, or more than 1,024
+//!   pixels from the viewport's middle, are cut. An object that never does is drawn without the code for it, 2 to 3 KB, if
+//!   one says so: `object.clipped(ClipNone)`. A triangle that reaches beyond all the same is then left out whole.
 //! * Colours are worked out in the values that pictures store, without a gamma curve.
 //!
 //! # Numbers
@@ -181,7 +185,8 @@
 //! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
 //!
 //! Any finite input gives the right picture or an error value before the first pixel: triangles that leave the guard band
-//! of ±1,024 pixels, the near plane or the far plane are clipped, in every shading mode.
+//! of ±1,024 pixels, the near plane or the far plane are clipped, in every shading mode. With
+//! [`ClipNone`](geometry::ClipNone) these triangles are missing, and nothing else.
 //!
 //! # Not supported
 //!

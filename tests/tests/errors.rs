@@ -128,7 +128,7 @@ fn shaders_need_their_tables() {
     assert_eq!(refused(&smooth, &perspective(), room), ProjectError::NoVertexNormals);
 }
 
-/// Models 2^100 units wide, and offsets that the scale carries off.
+/// Models 2^100 units wide are refused where that is too much; offsets that the scale carries off by 2^32 units are not.
 #[test]
 fn objects_beyond_all_numbers_are_refused() {
     let far_off = ProjectError::Pose(PoseError);
@@ -144,8 +144,10 @@ fn objects_beyond_all_numbers_are_refused() {
     cube.offset = Vec3::lit("32767", "-32768", "32767");
     let mesh = cube.mesh();
     let eighth = Pose::rotated(Rotation::about_z(Angle::degrees(45)));
-    let carried_off = Object::new(&mesh, Unlit::new()).posed(eighth.scaled(huge));
-    assert_eq!(refused(&carried_off, &perspective(), 100), far_off);
+    let carried_off = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(eighth.scaled(huge));
+    let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; 100];
+    assert!(carried_off.project(&perspective(), &mut storage).unwrap().is_hidden());
+    assert!(carried_off.project(&parallel, &mut storage).unwrap().is_hidden());
     assert_eq!(
         far_off.to_string(),
         "the object is too large or too far away: make its scale or its offset smaller"

@@ -55,7 +55,7 @@ impl core::error::Error for CameraError {}
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Camera<P = Perspective> {
     eye: Vec3,
-    /// The directions right, up and forward in world space, in Q30.
+    /// The directions right, down and forward in world space, in Q30.
     axes: [[i32; 3]; 3],
     projection: P,
     viewport: Rectangle,
@@ -77,7 +77,7 @@ impl<P> Camera<P> {
             return Err(CameraError::Direction);
         }
         let right = unit(right).ok_or(CameraError::Direction)?;
-        Self::new(eye, [right, cross(right, forward), forward], projection, viewport)
+        Self::new(eye, [right, cross(forward, right), forward], projection, viewport)
     }
 
     /// A camera at `eye`, turned by `rotation` from looking along -z with y up.
@@ -86,8 +86,10 @@ impl<P> Camera<P> {
     ///
     /// What is wrong with the viewport.
     pub fn at(eye: Vec3, rotation: Rotation, projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
-        let [right, up, backward] = rotation.inverse().rows().map(|row| row.map(|c| c.to_bits()));
-        Self::new(eye, [right, up, backward.map(|c| -c)], projection, viewport)
+        // The rotated axes are its columns.
+        let [x, y, z] = rotation.to_bits();
+        let axes = [[x[0], y[0], z[0]], [-x[1], -y[1], -z[1]], [-x[2], -y[2], -z[2]]];
+        Self::new(eye, axes, projection, viewport)
     }
 
     /// A camera that circles `target` at a distance: `yaw` about the y axis from +z towards +x, `pitch` upwards.
@@ -143,7 +145,7 @@ impl<P> Camera<P> {
         self.viewport
     }
 
-    /// Right, up and forward in world space, in Q30.
+    /// Right, down and forward in world space, in Q30.
     pub(crate) const fn axes(&self) -> &[[i32; 3]; 3] {
         &self.axes
     }

@@ -67,14 +67,18 @@ impl Plane {
     }
 }
 
-/// What is left of a triangle: a convex polygon, its corners in the triangle's order, or nothing.
+/// Hands over what is left of a triangle: the corners of a convex polygon, in the triangle's order, or none.
+#[inline(always)]
 pub(crate) fn clip<P: Projection, V: Varyings>(
-    triangle: [ClipVertex<V>; 3],
+    triangle: impl IntoIterator<Item = ClipVertex<V>>,
     transform: &Transform<P>,
-) -> Vec<ClipVertex<V>, MAX_CORNERS> {
+    visit: impl FnMut(ClipVertex<V>),
+) {
     let mut polygon: Vec<ClipVertex<V>, MAX_CORNERS> = Vec::new();
-    // Three corners fit nine places; the result of a push is an error only where they don't.
-    let _ = polygon.extend_from_slice(&triangle);
+    for corner in triangle {
+        // Three corners fit nine places; the result of a push is an error only where they don't.
+        let _ = polygon.push(corner);
+    }
     for plane in PLANES {
         let mut cut: Vec<ClipVertex<V>, MAX_CORNERS> = Vec::new();
         let Some(mut from) = polygon.last() else {
@@ -99,7 +103,7 @@ pub(crate) fn clip<P: Projection, V: Varyings>(
         }
         polygon = cut;
     }
-    polygon
+    polygon.iter().copied().for_each(visit);
 }
 
 /// Where the edge from `inside` to `outside` meets the plane from which they are so far.
@@ -153,11 +157,20 @@ mod tests {
             triangles: Triangles::U8(&[]),
             materials: &[],
         };
-        Transform::new(&camera, &Pose::IDENTITY, &tables).unwrap()
+        Transform::new(&camera, &Pose::IDENTITY, &tables)
     }
 
     fn vertex(transform: &Transform<Perspective>, position: [i16; 3]) -> ClipVertex<[u16; 1]> {
         transform.object_to_clip(position, [position[0] as u16 ^ 0x8000])
+    }
+
+    fn polygon(
+        triangle: [ClipVertex<[u16; 1]>; 3],
+        transform: &Transform<Perspective>,
+    ) -> Vec<ClipVertex<[u16; 1]>, MAX_CORNERS> {
+        let mut polygon = Vec::new();
+        clip(triangle, transform, |corner| polygon.push(corner).unwrap());
+        polygon
     }
 
     fn is_inside(vertex: &ClipVertex<[u16; 1]>, transform: &Transform<Perspective>) -> bool {
@@ -175,9 +188,9 @@ mod tests {
     fn a_triangle_inside_is_left_alone_and_one_outside_vanishes() {
         let transform = transform();
         let inside = [[-100, 0, -3000], [100, 0, -3000], [0, 90, -4000]].map(|p| vertex(&transform, p));
-        assert_eq!(clip(inside, &transform).as_slice(), inside);
+        assert_eq!(polygon(inside, &transform).as_slice(), inside);
         let behind = [[-100, 0, 3000], [100, 0, 3000], [0, 90, 4000]].map(|p| vertex(&transform, p));
-        assert!(clip(behind, &transform).is_empty());
+        assert!(polygon(behind, &transform).is_empty());
     }
 
     #[test]
@@ -187,7 +200,7 @@ mod tests {
         let mut largest = 0;
         for _ in 0..20_000 {
             let triangle = [0; 3].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
-            let polygon = clip(triangle, &transform);
+            let polygon = polygon(triangle, &transform);
             largest = largest.max(polygon.len());
             let levels = triangle.map(|v| v.varyings[0]);
             for corner in &polygon {
@@ -207,10 +220,10 @@ mod tests {
         let mut cut = 0;
         for _ in 0..20_000 {
             let [a, b, c, d] = [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
-            let left = clip([a, b, c], &transform);
-            let right = clip([b, a, d], &transform);
+            let left = polygon([a, b, c], &transform);
+            let right = polygon([b, a, d], &transform);
             // The edge alone, as the degenerate triangle that runs there and back.
-            let edge = clip([a, b, b], &transform);
+            let edge = polygon([a, b, b], &transform);
             for corner in &edge {
                 cut += usize::from(*corner != a && *corner != b);
                 assert!(left.contains(corner), "{a:?} {b:?} {c:?}: {corner:?}");

@@ -14,6 +14,7 @@
 
 mod attribute;
 mod clip;
+mod clipping;
 mod cull;
 mod pose;
 mod projection;
@@ -22,6 +23,7 @@ mod transform;
 
 pub use attribute::{Attribute, DepthFormat, NoDepth, Varyings};
 pub(crate) use clip::{MAX_CORNERS, clip};
+pub use clipping::{ClipAll, ClipNone, Clipping};
 pub use cull::{CullBack, CullFront, CullNone, Culling};
 pub use pose::{Pose, PoseError};
 pub use projection::Projection;

@@ -52,11 +52,9 @@ impl Default for Pose {
     }
 }
 
-/// An object too large or too far away for the camera's numbers.
-///
-/// It would have to be some 2<sup>31</sup> world units away, or 2<sup>30</sup> times wider than the guard band in a
-/// parallel projection. Long before, its place loses precision: it is known to 2<sup>-31</sup> of its distance from the
-/// camera.
+/// An object too large or too far away for the numbers of a parallel projection: some 2<sup>30</sup> times wider, or farther
+/// away, than the guard band. Long before, its place loses precision: it is known to 2<sup>-31</sup> of its distance from the
+/// camera, in either projection.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PoseError;
 

@@ -23,8 +23,8 @@ pub trait Sealed {
     fn depth_range(&self) -> [Float; 2];
 
     /// The units of clip space, as exponents of 2, for an object whose x and y (as multiples of the guard band at
-    /// w = 1) and z lie below 2^`xy` and 2^`z`; nothing if there is none.
-    fn units(&self, xy: i32, z: i32) -> Option<Units>;
+    /// w = 1) and z lie below 2^`xy` and 2^`z`.
+    fn units(&self, xy: i32, z: i32) -> Units;
 
     /// The lens for these units.
     fn lens(&self, units: Units) -> Self::Lens;
@@ -41,6 +41,9 @@ pub struct Units {
 
 /// A projection at work on vertices in clip space.
 pub trait Lens: Copy + core::fmt::Debug {
+    /// Whether w = 1 can be told from 0 in the units of clip space.
+    fn is_in_range(&self) -> bool;
+
     /// What x and y are divided by: over 0 and below 2^30 for a z from the near plane on.
     fn w(&self, z: i32) -> i32;
 
@@ -65,13 +68,13 @@ impl Sealed for Perspective {
 
     fn depth_range(&self) -> [Float; 2] {
         let [near, far] = [self.near(), self.far()].map(Float::from_unsigned);
-        [Float::new(1, 0), far.times(near.reciprocal())]
+        [Float::ONE, far.times(near.reciprocal())]
     }
 
     /// w is z, so that all three have the same unit.
-    fn units(&self, xy: i32, z: i32) -> Option<Units> {
+    fn units(&self, xy: i32, z: i32) -> Units {
         let unit = xy.max(z) - BITS;
-        Some(Units { xy: unit, z: unit })
+        Units { xy: unit, z: unit }
     }
 
     fn lens(&self, units: Units) -> PerspectiveLens {
@@ -89,6 +92,10 @@ pub struct PerspectiveLens {
 }
 
 impl Lens for PerspectiveLens {
+    fn is_in_range(&self) -> bool {
+        true
+    }
+
     #[inline(always)]
     fn w(&self, z: i32) -> i32 {
         z
@@ -111,27 +118,26 @@ impl Sealed for Orthographic {
     type Lens = OrthographicLens;
 
     fn magnification(&self, viewport_height: u32) -> [Float; 2] {
-        [self.pixels_per_unit(viewport_height), Float::new(1, 0)]
+        [self.pixels_per_unit(viewport_height), Float::ONE]
     }
 
     fn depth_range(&self) -> [Float; 2] {
         [self.near(), self.far()].map(Float::from_unsigned)
     }
 
-    /// w = 1 is a whole number of units, and the far plane can be named in z.
-    fn units(&self, xy: i32, z: i32) -> Option<Units> {
-        // Below 2^30, so that the sum of w and a coordinate as large fits too.
-        let xy = (xy - BITS).max(1 - BITS);
+    /// w = 1 is a whole number of units unless the object is too large, and the far plane can be named in z.
+    fn units(&self, xy: i32, z: i32) -> Units {
         let [_, far] = self.depth_range();
-        (xy <= 0).then(|| Units {
-            xy,
+        Units {
+            // Below 2^30, so that the sum of w and a coordinate as large fits too.
+            xy: (xy - BITS).max(1 - BITS),
             z: z.max(far.magnitude()) - BITS,
-        })
+        }
     }
 
     fn lens(&self, units: Units) -> OrthographicLens {
         let [near, far] = self.depth_range().map(|d| d.in_units_of(units.z));
-        let w = 1 << -units.xy;
+        let w = 1i32.checked_shl(units.xy.wrapping_neg() as u32).unwrap_or(0);
         OrthographicLens {
             w,
             reciprocal: Reciprocal::of((w << 1) as u32),
@@ -151,6 +157,10 @@ pub struct OrthographicLens {
 }
 
 impl Lens for OrthographicLens {
+    fn is_in_range(&self) -> bool {
+        self.w != 0
+    }
+
     #[inline(always)]
     fn w(&self, _: i32) -> i32 {
         self.w

@@ -41,10 +41,10 @@ const FRACTION_BITS: u32 = 16;
 const BEYOND: i32 = 1 << 30;
 
 impl<const PARTS: usize> Row<PARTS> {
-    /// The entries and the translation in units of 2^`unit`.
+    /// The row's terms in units of 2^`unit`.
     #[inline(never)]
-    fn new(entries: [Float; 3], translation: Float, unit: i32) -> Self {
-        let entries = entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
+    fn new(terms: &Terms, unit: i32) -> Self {
+        let entries = terms.entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
         let part = |part: usize| {
             entries.map(|m| match (PARTS, part) {
                 (1, _) => m,
@@ -54,7 +54,7 @@ impl<const PARTS: usize> Row<PARTS> {
         };
         Self {
             entries: core::array::from_fn(part),
-            translation: translation.in_units_of(unit),
+            translation: terms.translation.in_units_of(unit),
         }
     }
 
@@ -67,6 +67,36 @@ impl<const PARTS: usize> Row<PARTS> {
             _ => 0,
         };
         sum + self.translation
+    }
+}
+
+/// A row before its unit is known.
+struct Terms {
+    entries: [Float; 3],
+    translation: Float,
+}
+
+impl Terms {
+    /// For a direction in Q30 of the mesh's axes whose quanta are so long, and for the mesh's place in this direction, both
+    /// magnified.
+    ///
+    /// Like the rest of what makes a matrix, it is called rather than inlined: it is used for each of three rows, once a
+    /// frame.
+    #[inline(never)]
+    fn new(direction: &[i32; 3], quantum: Float, place: Float, magnification: Float) -> Self {
+        let length = quantum.times(magnification);
+        Self {
+            entries: direction.map(|c| Float::new(i64::from(c), -30).times(length)),
+            translation: place.times(magnification),
+        }
+    }
+
+    /// The least n for which a coordinate stays below 2^n.
+    #[inline(never)]
+    fn magnitude(&self) -> i32 {
+        // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
+        let largest = self.entries.iter().map(|m| m.magnitude() + 15);
+        largest.fold(self.translation.magnitude(), i32::max) + 2
     }
 }
 
@@ -86,38 +116,36 @@ impl<P: Projection> Transform<P> {
     /// Pose, camera, focal length and the mesh's own scale in one matrix.
     // The caller's frame would hold all of it while triangles are drawn.
     #[inline(never)]
-    pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<Self, PoseError> {
+    pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Self {
         let projection = camera.projection();
         let viewport = camera.viewport();
-        // World units for a quantum of the mesh, and guard bands and units of z for a world unit at w = 1. The y axis
-        // turns over.
+        // World units for a quantum of the mesh, and guard bands and units of z for a world unit at w = 1.
         let quantum = Float::from_unsigned(pose.scale).times(Float::from_scale(tables.scale));
-        let [pixels, deep] = projection.magnification(viewport.size.height);
-        let across = pixels.times(Float::new(1, -(GUARD_BITS as i32)));
-        let down = Float::new(-1, 0).times(across);
-        let magnification = [across, down, deep];
-        let columns = pose.rotation.inverse().to_bits();
-        let entries: [[Float; 3]; 3] = core::array::from_fn(|row| {
-            core::array::from_fn(|column| entry(&camera.axes()[row], &columns[column], quantum, magnification[row]))
+        let [mut across, deep] = projection.magnification(viewport.size.height);
+        across.exponent -= GUARD_BITS as i32;
+        let origin = origin(camera, pose, tables);
+        let [x, y, z] = core::array::from_fn(|row| {
+            let direction = pose.rotation.turn_back(&camera.axes()[row]);
+            let magnification = if row < 2 { across } else { deep };
+            Terms::new(&direction, quantum, origin[row], magnification)
         });
-        let origin = origin(camera, pose, tables)?;
-        let translation: [Float; 3] = core::array::from_fn(|row| origin[row].times(magnification[row]));
 
-        let magnitude = |row: usize| magnitude(&entries[row], translation[row]);
-        let units = projection
-            .units(magnitude(0).max(magnitude(1)), magnitude(2))
-            .ok_or(PoseError)?;
-        let row = |row: usize, unit: i32| Row::new(entries[row], translation[row], unit);
+        let units = projection.units(x.magnitude().max(y.magnitude()), z.magnitude());
         let [near, far] = projection.depth_range().map(|d| d.in_units_of(units.z));
         let (corner, size) = (viewport.top_left, viewport.size);
-        Ok(Self {
-            rows: [row(0, units.xy), row(1, units.xy), row(2, units.z)],
+        Self {
+            rows: [Row::new(&x, units.xy), Row::new(&y, units.xy), Row::new(&z, units.z)],
             near: near.clamp(1, BEYOND),
             far: far.min(BEYOND),
             lens: projection.lens(units),
             center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
             size: [size.width, size.height],
-        })
+        }
+    }
+
+    /// Whether the object is small enough for the projection's numbers; nothing else can be asked if it isn't.
+    pub(crate) fn check(&self) -> Result<(), PoseError> {
+        self.lens.is_in_range().then_some(()).ok_or(PoseError)
     }
 
     /// A position of the mesh in clip space.
@@ -173,71 +201,62 @@ impl<P: Projection> Transform<P> {
 
     /// Whether a box is certain to lie outside the picture: all its corners beyond one and the same plane.
     pub(crate) fn hides(&self, cuboid: &BoundingBox) -> bool {
+        let corners = cuboid.corners();
+        corners
+            .iter()
+            .fold(0b11_1111, |bits, &corner| bits & self.beyond(corner))
+            != 0
+    }
+
+    /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of its own, as compilers
+    /// repeat it for each corner of a box.
+    #[inline(never)]
+    fn beyond(&self, position: [i16; 3]) -> u8 {
+        let [x, y, z] = self.few_to_clip(position);
         // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
-        let half = self.size.map(|pixels| (pixels / 2 + 2) as i32);
-        let mut beyond_all = 0b11_1111u8;
-        for corner in cuboid.corners() {
-            let [x, y, z] = self.few_to_clip(corner);
-            // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31 as the viewport
-            // is no wider than the guard band. Beyond the near plane it may be negative, and the sides are still planes
-            // through the eye: upwards is outwards there too.
-            let w = (self.lens.w(z) >> GUARD_BITS) + 1;
-            let beyond = [
-                z < self.near,
-                z > self.far,
-                x < -w * half[0],
-                x > w * half[0],
-                y < -w * half[1],
-                y > w * half[1],
-            ];
-            beyond_all &= beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside));
-        }
-        beyond_all != 0
+        let [across, down] = self.size.map(|pixels| (pixels / 2 + 2) as i32);
+        // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31 as the viewport is no
+        // wider than the guard band. Beyond the near plane it may be negative, and the sides are still planes through the
+        // eye: upwards is outwards there too.
+        let w = (self.lens.w(z) >> GUARD_BITS) + 1;
+        let (across, down) = (w * across, w * down);
+        let beyond = [
+            z < self.near,
+            z > self.far,
+            x < -across,
+            x > across,
+            y < -down,
+            y > down,
+        ];
+        beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside))
     }
 }
 
-/// An entry of the matrix. Like the rest of what makes one, it is called rather than inlined: it is used for each of nine
-/// entries, and once a frame.
+/// Where position (0, 0, 0) of the table lies in view space: right, down, forward.
 #[inline(never)]
-fn entry(axis: &[i32; 3], column: &[i32; 3], quantum: Float, magnification: Float) -> Float {
-    Float::new(dot(axis, column), -60).times(quantum).times(magnification)
-}
-
-/// The least n for which a coordinate stays below 2^n.
-#[inline(never)]
-fn magnitude(entries: &[Float; 3], translation: Float) -> i32 {
-    // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
-    let largest = entries.iter().map(|m| m.magnitude() + 15);
-    largest.fold(translation.magnitude(), i32::max) + 2
-}
-
-/// Where position (0, 0, 0) of the table lies in view space: right, up, forward.
-fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Result<[Float; 3], PoseError> {
-    let (rows, offset) = (pose.rotation.to_bits(), tables.offset.to_bits());
+fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> [Float; 3] {
+    let (rows, offset) = (pose.rotation.to_bits(), tables.offset.to_bits().map(i64::from));
     let (translation, eye) = (pose.translation.to_bits(), camera.eye().to_bits());
-    let mut from_eye = [0i64; 3];
-    for axis in 0..3 {
-        // Q30 x Q16, three times: below 2^63. To Q32.
-        let turned = dot(&rows[axis], &offset) >> 14;
-        let shift = (i64::from(translation[axis]) - i64::from(eye[axis])) << 16;
-        from_eye[axis] = scaled_and_shifted(turned, pose.scale.to_bits(), shift).ok_or(PoseError)?;
+    let mut from_eye: [i64; 3] = core::array::from_fn(|axis| {
+        // Q30 x Q16, three times: below 2^62. To Q31, below 2^47.
+        let turned = (dot(&rows[axis], &offset) + (1 << 14)) >> 15;
+        let way = i64::from(translation[axis]) - i64::from(eye[axis]);
+        scaled(turned, pose.scale.to_bits()) + (way << 15)
+    });
+    // To 32 bits, so that products with the camera's axes in Q30 add up in 64.
+    let mut exponent = -61;
+    while from_eye.iter().any(|c| c.unsigned_abs() >> 32 != 0) {
+        from_eye = from_eye.map(|c| c >> 1);
+        exponent += 1;
     }
-    // To 31 bits, so that products with the camera's axes in Q30 add up in 64.
-    let largest = from_eye.iter().fold(0, |bits, c| bits | c.unsigned_abs());
-    let down = (33 - largest.leading_zeros() as i32).max(0);
-    let from_eye = from_eye.map(|c| if down == 0 { c } else { ((c >> (down - 1)) + 1) >> 1 });
-    Ok(core::array::from_fn(|row| {
-        let sum: i64 = (0..3).map(|k| i64::from(camera.axes()[row][k]) * from_eye[k]).sum();
-        Float::new(sum, down - 62)
-    }))
+    core::array::from_fn(|row| Float::new(dot(&camera.axes()[row], &from_eye), exponent))
 }
 
-/// A coordinate in Q32 times a scale in Q16, and moved; nothing if it leaves the range.
+/// A coordinate below 2^47 times a scale in Q16, rounded: below 2^63, with room for 2^61 more.
 #[inline(never)]
-fn scaled_and_shifted(c: i64, scale: u32, shift: i64) -> Option<i64> {
+fn scaled(c: i64, scale: u32) -> i64 {
     let scale = i64::from(scale);
-    let upper = (c >> 16).checked_mul(scale)?;
-    upper.checked_add(((c & 0xFFFF) * scale) >> 16)?.checked_add(shift)
+    (c >> 16) * scale + (((c & 0xFFFF) * scale + (1 << 15)) >> 16)
 }
 
 #[cfg(test)]
@@ -324,7 +343,7 @@ mod tests {
             let case = Case::random(&mut state);
             let positions: Vec<[i16; 3]> = (0..20).map(|_| [0; 3].map(|_| random(&mut state))).collect();
             let camera = Camera::at(case.eye, case.rotation, projection, VIEWPORT).unwrap();
-            let transform = Transform::new(&camera, &case.pose, &tables(&positions)).unwrap();
+            let transform = Transform::new(&camera, &case.pose, &tables(&positions));
             let mut is_seen = false;
             for &position in &positions {
                 let [right, up, forward] = case.view(position);
@@ -368,12 +387,14 @@ mod tests {
     fn rows_in_parts_give_what_whole_rows_give() {
         let mut state = 0x1234_5678_9ABC_DEF1;
         for _ in 0..100_000 {
-            let entries = [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -24));
-            let translation = Float::new(i64::from(random(&mut state)), 10);
+            let terms = Terms {
+                entries: [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -24)),
+                translation: Float::new(i64::from(random(&mut state)), 10),
+            };
             let p = [0; 3].map(|_| i32::from(random(&mut state)));
-            let whole = Row::<1>::new(entries, translation, 0).apply(p);
-            let parts = Row::<2>::new(entries, translation, 0).apply(p);
-            assert_eq!(whole, parts, "{entries:?} {p:?}");
+            let whole = Row::<1>::new(&terms, 0).apply(p);
+            let parts = Row::<2>::new(&terms, 0).apply(p);
+            assert_eq!(whole, parts, "{:?} {p:?}", terms.entries);
         }
     }
 
@@ -407,7 +428,7 @@ mod tests {
         let hides = |x: &str, y: &str, z: &str| {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
-            let transform = Transform::new(&camera, &pose, &tables(&positions)).unwrap();
+            let transform = Transform::new(&camera, &pose, &tables(&positions));
             transform.hides(&Bounds::of(&positions).cuboid)
         };
         assert!(!hides("0", "0", "-5"));
@@ -423,15 +444,41 @@ mod tests {
         }
     }
 
+    /// 2^31 units of offset along each axis, and 2^15 more: as far away as an object can be.
     #[test]
-    fn out_of_range_is_an_error() {
-        let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+    fn the_farthest_object_is_where_it_should_be() {
+        let camera = |eye, lens| Camera::at(eye, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
+        for offset in [i32::MAX, i32::MIN] {
+            let mut far_off = tables(&[]);
+            far_off.offset = Vec3::from_bits([offset; 3]);
+            let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
+            let eye = Vec3::from_bits([!offset; 3]);
+            let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+            let transform = Transform::new(&camera(eye, lens), &pose, &far_off);
+            assert_eq!(transform.check(), Ok(()));
+            let ClipVertex { x, y, z, .. } = transform.object_to_clip([0; 3], ());
+            // Along (1, 1, 1): down is -y, away -z, and 120 / tan(30 degrees) = 207.8 pixels of 1,024 are a unit.
+            let away = f64::from(z);
+            assert!(away.abs() > f64::from(1 << 27) && (away < 0.0) == (offset > 0), "{z}");
+            for (c, sign) in [(x, -1.0), (y, 1.0)] {
+                let want = sign * away * 120.0 * 3f64.sqrt() / 1024.0;
+                assert!((f64::from(c) / want - 1.0).abs() < 1e-6, "{c} {want}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_object_too_large_for_a_parallel_projection_is_an_error() {
+        let lens = Orthographic::new(U16F16::DELTA, NEAR, FAR).unwrap();
         let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
-        let mut far_off = tables(&[]);
-        far_off.offset = Vec3::from_bits([i32::MAX; 3]);
-        // 2^31 units of offset and 2^15 more: beyond Q32 in 64 bits.
-        let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
-        assert_eq!(Transform::new(&camera, &pose, &far_off).err(), Some(PoseError));
-        assert!(Transform::new(&camera, &Pose::IDENTITY, &far_off).is_ok());
+        let check = |exponent: i32| {
+            let mut large = tables(&[]);
+            large.scale = Scale::new(1, exponent);
+            Transform::new(&camera, &Pose::IDENTITY, &large).check()
+        };
+        // 240 pixels show 2^-16 units, so that the guard band is some 2^-14 units wide.
+        assert_eq!(check(-5), Ok(()));
+        assert_eq!(check(2), Err(PoseError));
+        assert_eq!(check(900), Err(PoseError));
     }
 }

@@ -21,30 +21,32 @@ impl Float {
         exponent: 0,
     };
 
+    pub(crate) const ONE: Self = Self::new(1, 0);
+
     /// `value * 2^exponent`, rounded to 31 bits.
     #[inline(never)]
     pub(crate) const fn new(value: i64, exponent: i32) -> Self {
         if value == 0 {
             return Self::ZERO;
         }
-        let bits = 64 - value.unsigned_abs().leading_zeros() as i32;
-        let shift = bits - 31;
-        let mantissa = if shift > 0 {
-            // Rounding may carry into one bit more, which the next line takes back.
-            ((value >> (shift - 1)) + 1) >> 1
-        } else {
-            value << -shift
-        };
-        if mantissa.unsigned_abs() >> 31 != 0 {
-            Self {
-                mantissa: (mantissa >> 1) as i32,
-                exponent: exponent + shift + 1,
-            }
-        } else {
-            Self {
-                mantissa: mantissa as i32,
-                exponent: exponent + shift,
-            }
+        // The top bit goes to the top step by step: a routine that counts zeros and one that shifts are more code.
+        let mut magnitude = value.unsigned_abs();
+        let mut exponent = exponent + 33;
+        if magnitude >> 32 == 0 {
+            magnitude <<= 32;
+            exponent -= 32;
+        }
+        while magnitude >> 63 == 0 {
+            magnitude <<= 1;
+            exponent -= 1;
+        }
+        let upper = (magnitude >> 32) as u32;
+        // All ones would be rounded up to 2^31.
+        let rounded = (upper >> 1) + (upper & 1);
+        let mantissa = if rounded >> 31 == 0 { rounded as i32 } else { i32::MAX };
+        Self {
+            mantissa: if value < 0 { -mantissa } else { mantissa },
+            exponent,
         }
     }
 
@@ -88,10 +90,11 @@ impl Float {
     #[inline(never)]
     pub(crate) const fn in_units_of(self, exponent: i32) -> i32 {
         let shift = self.exponent - exponent;
-        if self.mantissa == 0 || shift < -32 {
+        if self.mantissa == 0 || shift < -31 {
             0
         } else if shift < 0 {
-            (((self.mantissa as i64 >> (-shift - 1)) + 1) >> 1) as i32
+            let twice = self.mantissa >> (-shift - 1);
+            (twice >> 1) + (twice & 1)
         } else if shift == 0 {
             self.mantissa
         } else if self.mantissa > 0 {

@@ -75,11 +75,20 @@ impl Rotation {
     /// The rotated vector, rounded; it saturates at the ends of the range.
     #[must_use]
     pub fn apply(&self, v: Vec3) -> Vec3 {
-        let v = v.to_bits();
+        let v = v.to_bits().map(i64::from);
         Vec3::from_bits(self.to_bits().map(|row| {
             let sum = (dot(&row, &v) + (1 << 29)) >> 30;
             sum.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
         }))
+    }
+
+    /// A direction in Q30 turned by the inverse, rounded: the product of a row of numbers, on the left, and this matrix.
+    /// Matrices are made of it, once a frame: a function that is called.
+    #[inline(never)]
+    pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
+        let ([x, y, z], v) = (self.to_bits(), v.map(i64::from));
+        let product = |column: [i32; 3]| ((dot(&column, &v) + (1 << 29)) >> 30) as i32;
+        [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]].map(product)
     }
 
     /// The nearest directions at right angles of length one: the first row keeps its direction, the second its plane
@@ -98,10 +107,10 @@ impl Rotation {
     }
 }
 
-/// The scalar product, exactly, if it fits 64 bits. Matrices are made of it, once a frame: a function that is called.
+/// The scalar product, exactly, if it fits 64 bits. A function that is called.
 #[inline(never)]
-pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
-    a.iter().zip(b).map(|(&a, &b)| i64::from(a) * i64::from(b)).sum()
+pub(crate) fn dot(a: &[i32; 3], b: &[i64; 3]) -> i64 {
+    a.iter().zip(b).map(|(&a, &b)| i64::from(a) * b).sum()
 }
 
 /// The cross product of Q30 vectors of length one.
@@ -118,11 +127,8 @@ impl Mul for Rotation {
     type Output = Self;
 
     fn mul(self, first: Self) -> Self {
-        let columns = first.inverse().to_bits();
-        Self::from_rows(self.to_bits().map(|row| {
-            let product = |column| I2F30::from_bits(((dot(&row, &column) + (1 << 29)) >> 30) as i32);
-            columns.map(product)
-        }))
+        let rows = self.to_bits().map(|row| first.turn_back(&row));
+        Self::from_rows(rows.map(|row| row.map(I2F30::from_bits)))
     }
 }
 

@@ -8,7 +8,7 @@ use core::ops::Range;
 
 use super::{ProjectError, Projected, Vertices};
 use crate::{
-    geometry::{CullBack, Culling, Projection},
+    geometry::{ClipAll, Clipping, CullBack, Culling, Projection},
     numbers::leading_zeros,
     raster::Window,
     shade::Shader,
@@ -24,14 +24,14 @@ pub const fn bin_words(triangle_count: usize, viewport_rows: u32, band_rows: u32
 
 /// An object as the camera sees it, its triangles sorted into bands of rows.
 #[derive(Clone, Copy, Debug)]
-pub struct Binned<'b, 'a, V, P: Projection, Sh: Shader, K = CullBack> {
-    seen: Projected<'a, V, P, Sh, K>,
+pub struct Binned<'b, 'a, V, P: Projection, Sh: Shader, K = CullBack, L = ClipAll> {
+    seen: Projected<'a, V, P, Sh, K, L>,
     /// For each 32 triangles a word for each band; the most significant bit is the first triangle's.
     words: &'b [u32],
     bands: Bands,
 }
 
-impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
+impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V, P, Sh, K, L> {
     /// Sorts the triangles into bands of `band_rows` rows each, at least one, from the viewport's top: after that a
     /// target is drawn without a look at the triangles that do not reach the bands that it lies in.
     ///
@@ -45,7 +45,7 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Proje
         self,
         band_rows: u32,
         storage: &'b mut [u32],
-    ) -> Result<Binned<'b, 'a, V, P, Sh, K>, ProjectError> {
+    ) -> Result<Binned<'b, 'a, V, P, Sh, K, L>, ProjectError> {
         let viewport = *self.viewport();
         let bands = Bands::new((viewport.bottom - viewport.top) as u32, band_rows);
         let needed = self.triangle_count().div_ceil(32) * bands.count;
@@ -66,10 +66,10 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Proje
     }
 }
 
-impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Binned<'_, 'a, V, P, Sh, K> {
+impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping> Binned<'_, 'a, V, P, Sh, K, L> {
     /// The object without its bins.
     #[must_use]
-    pub const fn projected(&self) -> &Projected<'a, V, P, Sh, K> {
+    pub const fn projected(&self) -> &Projected<'a, V, P, Sh, K, L> {
         &self.seen
     }
 

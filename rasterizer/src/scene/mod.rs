@@ -19,24 +19,28 @@ pub use vertices::{Vertices, Walked};
 
 use crate::{
     camera::Camera,
-    geometry::{CullBack, Culling, DepthFormat, Pose, Projection, ScreenVertex, Subpixel, Transform},
-    mesh::{Mesh, Tables},
+    geometry::{ClipAll, Clipping, CullBack, Culling, DepthFormat, Pose, Projection, ScreenVertex, Subpixel},
+    mesh::Mesh,
     raster::Interpolate,
     shade::Shader,
     target::Target,
 };
 
 /// An object whose vertices are in storage: what [`Object::project`] gives.
-pub type Stored<'v, 'a, S, D, P, Sh, K = CullBack> =
-    Projected<'a, &'v [ScreenVertex<S, D, <Sh as Shader>::Varyings>], P, Sh, K>;
+pub type Stored<'v, 'a, S, D, P, Sh, K = CullBack, L = ClipAll> =
+    Projected<'a, &'v [ScreenVertex<S, D, <Sh as Shader>::Varyings>], P, Sh, K, L>;
+
+/// An object whose vertices are worked out when they are needed: what [`Object::walk`] gives.
+pub type Unstored<'a, S, D, P, Sh, K = CullBack, L = ClipAll> = Projected<'a, Walked<S, D>, P, Sh, K, L>;
 
 /// A mesh in a pose, with a shader, and with back faces, front faces or no faces left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Object<'a, Sh, K = CullBack> {
+pub struct Object<'a, Sh, K = CullBack, L = ClipAll> {
     mesh: &'a Mesh<'a>,
     pose: Pose,
     shader: Sh,
     culling: K,
+    clipping: L,
 }
 
 impl<'a, Sh: Shader> Object<'a, Sh> {
@@ -48,11 +52,12 @@ impl<'a, Sh: Shader> Object<'a, Sh> {
             pose: Pose::IDENTITY,
             shader,
             culling: CullBack,
+            clipping: ClipAll,
         }
     }
 }
 
-impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
+impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
     /// The same object in another pose.
     #[must_use]
     pub fn posed(self, pose: Pose) -> Self {
@@ -62,12 +67,41 @@ impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
     /// The same object with other faces left out: [`CullBack`], [`CullFront`](crate::geometry::CullFront) or
     /// [`CullNone`](crate::geometry::CullNone).
     #[must_use]
-    pub fn culled<L: Culling>(self, culling: L) -> Object<'a, Sh, L> {
+    pub fn culled<M: Culling>(self, culling: M) -> Object<'a, Sh, M, L> {
         Object {
             mesh: self.mesh,
             pose: self.pose,
             shader: self.shader,
             culling,
+            clipping: self.clipping,
+        }
+    }
+
+    /// The same object with triangles that reach beyond the near plane, the far plane or the guard band cut
+    /// ([`ClipAll`]) or left out ([`ClipNone`](crate::geometry::ClipNone)).
+    ///
+    /// An object that always stays between them is drawn alike without the code that cuts triangles. Nor is it looked
+    /// beforehand whether all of it lies outside the picture: [`Projected::is_hidden`] says no, and its triangles turn out
+    /// to miss the picture one by one.
+    ///
+    /// ```
+    /// # use embedded_graphics_core::pixelcolor::Rgb565;
+    /// # use rasterizer::{mesh::Mesh, prelude::*};
+    /// // A gear before the camera on a small display.
+    /// # fn gear<'a>(mesh: &'a Mesh<'a>, sun: Light, turn: Angle) -> Object<'a, Flat<Rgb565>, CullBack, ClipNone> {
+    /// Object::new(mesh, Flat::new(sun))
+    ///     .posed(Pose::rotated(Rotation::about_y(turn)))
+    ///     .clipped(ClipNone)
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn clipped<M: Clipping>(self, clipping: M) -> Object<'a, Sh, K, M> {
+        Object {
+            mesh: self.mesh,
+            pose: self.pose,
+            shader: self.shader,
+            culling: self.culling,
+            clipping,
         }
     }
 
@@ -98,18 +132,19 @@ impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
         &self,
         camera: &Camera<P>,
         storage: &'v mut [ScreenVertex<S, D, Sh::Varyings>],
-    ) -> Result<Stored<'v, 'a, S, D, P, Sh, K>, ProjectError> {
+    ) -> Result<Stored<'v, 'a, S, D, P, Sh, K, L>, ProjectError> {
+        let vertices = self.room_in(storage)?;
+        let mut seen = Projected::new(self, camera, &[][..]);
+        seen.check()?;
+        seen.place(vertices);
+        Ok(seen)
+    }
+
+    /// As much of the storage as the object needs, if it can be drawn.
+    fn room_in<'v, T>(&self, storage: &'v mut [T]) -> Result<&'v mut [T], ProjectError> {
+        error::check_tables(self.mesh.tables(), Sh::TABLES)?;
         let needed = self.mesh.vertex_count();
-        let vertices = storage
-            .get_mut(..needed)
-            .ok_or(ProjectError::VertexStorage { needed })?;
-        self.seen_by(camera, |tables, shader, transform, is_hidden| {
-            if is_hidden {
-                return &[][..];
-            }
-            projected::place(tables, shader, transform, vertices);
-            vertices
-        })
+        storage.get_mut(..needed).ok_or(ProjectError::VertexStorage { needed })
     }
 
     /// The object as the camera sees it, without storage for its vertices: each is worked out when a triangle needs it,
@@ -126,25 +161,11 @@ impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
         &self,
         camera: &Camera<P>,
         precision: S,
-    ) -> Result<Projected<'a, Walked<S, D>, P, Sh, K>, ProjectError> {
-        self.seen_by(camera, |_, _, _, _| Walked::new(precision))
-    }
-
-    fn seen_by<P: Projection, V>(
-        &self,
-        camera: &Camera<P>,
-        vertices: impl FnOnce(&Tables<'_>, &Sh, &Transform<P>, bool) -> V,
-    ) -> Result<Projected<'a, V, P, Sh, K>, ProjectError> {
-        let tables = self.mesh.tables();
-        error::check_tables(tables, Sh::TABLES)?;
-        let transform = Transform::new(camera, &self.pose, tables)?;
-        let is_hidden = transform.hides(&self.mesh.bounds().cuboid);
-        let shader = self.shader.in_object_space(&self.pose);
-        let vertices = vertices(tables, &shader, &transform, is_hidden);
-        let viewport = camera.viewport();
-        Ok(Projected::new(
-            tables, shader, transform, is_hidden, &viewport, vertices,
-        ))
+    ) -> Result<Unstored<'a, S, D, P, Sh, K, L>, ProjectError> {
+        error::check_tables(self.mesh.tables(), Sh::TABLES)?;
+        let seen = Projected::new(self, camera, Walked::new(precision));
+        seen.check()?;
+        Ok(seen)
     }
 
     /// Draws it: [`project`](Self::project) and [`Projected::draw`] at once.
@@ -161,6 +182,11 @@ impl<'a, Sh: Shader, K: Culling> Object<'a, Sh, K> {
     where
         T::Depth: DepthFormat + Interpolate,
     {
-        self.project(camera, storage)?.draw(target).map_err(DrawError::Target)
+        // What `project` returns would be copied, and both copies stay on the stack while triangles are drawn.
+        let vertices = self.room_in(storage)?;
+        let mut seen = Projected::new(self, camera, &[][..]);
+        seen.check().map_err(ProjectError::from)?;
+        seen.place(vertices);
+        seen.draw(target).map_err(DrawError::Target)
     }
 }

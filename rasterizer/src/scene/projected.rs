@@ -8,10 +8,12 @@ use embedded_graphics_core::{
 };
 use heapless::Vec;
 
-use super::{Vertices, Walked, vertices::Lookup};
+use super::{Object, Vertices, Walked, vertices::Lookup};
 use crate::{
+    camera::Camera,
     geometry::{
-        ClipVertex, CullBack, Culling, DepthFormat, MAX_CORNERS, Projection, ScreenVertex, Subpixel, Transform, clip,
+        ClipAll, ClipVertex, Clipping, CullBack, Culling, DepthFormat, MAX_CORNERS, PoseError, Projection,
+        ScreenVertex, Subpixel, Transform, clip,
     },
     mesh::Tables,
     raster::{Triangle, Window, first_center, signed_area},
@@ -28,39 +30,42 @@ type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, <Sh as Shader>::Varyings>, MAX_C
 ///
 /// `V` is where its vertices come from: the storage that they were projected into, or [`Walked`].
 #[derive(Clone, Copy, Debug)]
-pub struct Projected<'a, V, P: Projection, Sh: Shader, K = CullBack> {
+pub struct Projected<'a, V, P: Projection, Sh: Shader, K = CullBack, L = ClipAll> {
     tables: &'a Tables<'a>,
     shader: Sh,
     transform: Transform<P>,
     vertices: V,
-    /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices.
+    /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices. Without clipping nobody asks.
     is_hidden: bool,
     viewport: Window,
-    culling: PhantomData<K>,
+    choices: PhantomData<(K, L)>,
 }
 
-impl<'a, V, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
-    pub(super) const fn new(
-        tables: &'a Tables<'a>,
-        shader: Sh,
-        transform: Transform<P>,
-        is_hidden: bool,
-        viewport: &Rectangle,
-        vertices: V,
-    ) -> Self {
-        Self {
+impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V, P, Sh, K, L> {
+    /// An object whose mesh has the tables that its shader reads.
+    #[inline(always)]
+    pub(super) fn new(object: &Object<'a, Sh, K, L>, camera: &Camera<P>, vertices: V) -> Self {
+        let tables = object.mesh.tables();
+        let mut seen = Self {
             tables,
-            shader,
-            transform,
+            shader: object.shader.in_object_space(&object.pose),
+            transform: Transform::new(camera, &object.pose, tables),
             vertices,
-            is_hidden,
-            viewport: Window::new(viewport),
-            culling: PhantomData,
-        }
+            is_hidden: false,
+            viewport: Window::new(&camera.viewport()),
+            choices: PhantomData,
+        };
+        seen.is_hidden = L::CUTS && seen.transform.hides(&object.mesh.bounds().cuboid);
+        seen
+    }
+
+    /// Whether the object is within the camera's numbers; if it isn't, nothing else can be asked.
+    pub(super) fn check(&self) -> Result<(), PoseError> {
+        self.transform.check()
     }
 
     /// The same with vertices from elsewhere.
-    fn over<W>(self, vertices: W) -> Projected<'a, W, P, Sh, K> {
+    pub(super) fn over<W>(self, vertices: W) -> Projected<'a, W, P, Sh, K, L> {
         Projected {
             tables: self.tables,
             shader: self.shader,
@@ -68,7 +73,7 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
             vertices,
             is_hidden: self.is_hidden,
             viewport: self.viewport,
-            culling: PhantomData,
+            choices: PhantomData,
         }
     }
 
@@ -87,7 +92,17 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling> Projected<'a, V, P, Sh, K> {
     }
 }
 
-impl<'v, S, D, P: Projection, Sh: Shader, K: Culling> Projected<'_, &'v [ScreenVertex<S, D, Sh::Varyings>], P, Sh, K> {
+impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: Clipping>
+    Projected<'_, &'v [ScreenVertex<S, D, Sh::Varyings>], P, Sh, K, L>
+{
+    /// Works all vertices out and keeps them in storage of their number.
+    pub(super) fn place(&mut self, storage: &'v mut [ScreenVertex<S, D, Sh::Varyings>]) {
+        if !self.is_hidden {
+            place(self.tables, &self.shader, &self.transform, storage);
+            self.vertices = storage;
+        }
+    }
+
     /// The vertices on the screen, in the mesh's order; none if the mesh is out of the picture.
     #[must_use]
     pub const fn vertices(&self) -> &'v [ScreenVertex<S, D, Sh::Varyings>] {
@@ -95,18 +110,18 @@ impl<'v, S, D, P: Projection, Sh: Shader, K: Culling> Projected<'_, &'v [ScreenV
     }
 }
 
-impl<'a, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, const N: usize>
-    Projected<'a, Walked<S, D, N>, P, Sh, K>
+impl<'a, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: Clipping, const N: usize>
+    Projected<'a, Walked<S, D, N>, P, Sh, K, L>
 {
     /// The same with another number of vertices on the stack.
     #[must_use]
-    pub fn remembering<const M: usize>(self) -> Projected<'a, Walked<S, D, M>, P, Sh, K> {
+    pub fn remembering<const M: usize>(self) -> Projected<'a, Walked<S, D, M>, P, Sh, K, L> {
         let vertices = self.vertices.remembering();
         self.over(vertices)
     }
 }
 
-impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected<'_, V, P, Sh, K> {
+impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'_, V, P, Sh, K, L> {
     /// Draws its triangles in the mesh's order.
     ///
     /// # Errors
@@ -219,7 +234,12 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
                 if let Some(area) = Self::visible_area(corners, rows) {
                     visit(index, corners, area)?;
                 }
-            } else if let Some((hub, rim)) = self.clipped(index).split_first() {
+            } else if L::CUTS {
+                let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+                self.clip(index, &mut polygon);
+                let Some((hub, rim)) = polygon.split_first() else {
+                    continue;
+                };
                 for pair in rim.windows(2) {
                     let corners = [hub, &pair[0], &pair[1]];
                     if let Some(area) = Self::visible_area(corners, rows) {
@@ -240,30 +260,29 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling> Projected
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
     }
 
-    /// What near plane, far plane and guard band leave of a triangle.
+    /// What near plane, far plane and guard band leave of a triangle, into a polygon that is still empty: one that is
+    /// returned is copied.
     #[cold]
     #[inline(never)]
-    fn clipped(&self, index: usize) -> Polygon<V::Subpixel, V::Depth, Sh> {
+    fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
-        let triangle = indices.map(|index| {
+        let triangle = indices.into_iter().map(|index| {
             let vertex = MeshVertex::new(self.tables, index);
             let [x, y, z] = self.transform.few_to_clip(vertex.position());
             let varyings = self.shader.vertex(&vertex);
             ClipVertex { x, y, z, varyings }
         });
-        let mut corners = Polygon::<V::Subpixel, V::Depth, Sh>::new();
-        for &vertex in &clip(triangle, &self.transform) {
+        clip(triangle, &self.transform, |vertex| {
             // There are as many places as `clip` has.
             let _ = corners.push(self.transform.clip_to_screen(vertex));
-        }
-        corners
+        });
     }
 }
 
 /// Works out the vertices on the screen, as many as there is room for. A function of its own: the loop needs its
 /// registers.
 #[inline(never)]
-pub(super) fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
+fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     tables: &Tables<'_>,
     shader: &Sh,
     transform: &Transform<P>,

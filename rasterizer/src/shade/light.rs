@@ -4,7 +4,7 @@ use fixed::types::U1F15;
 
 use crate::{
     geometry::Pose,
-    numbers::{Vec3, dot, mul_high, unit},
+    numbers::{Vec3, mul_high, unit},
 };
 
 /// A brightness: Q1.15, where 1 is full.
@@ -47,8 +47,7 @@ impl Light {
     /// The light as an object in this pose sees it.
     #[must_use]
     pub fn in_object_space(&self, pose: &Pose) -> Self {
-        let rows = pose.rotation.inverse().to_bits();
-        let toward = rows.map(|row| ((dot(&row, &self.toward) + (1 << 29)) >> 30) as i32);
+        let toward = pose.rotation.turn_back(&self.toward);
         Self {
             toward,
             factors: factors(toward, self.gain),

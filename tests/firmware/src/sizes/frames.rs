@@ -11,7 +11,7 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::Camera,
-    geometry::{Culling, DepthFormat, NoDepth, Pose, Projection, ScreenVertex, Subpixel, Varyings},
+    geometry::{Clipping, Culling, DepthFormat, NoDepth, Pose, Projection, ScreenVertex, Subpixel, Varyings},
     numbers::{Angle, Rotation, Vec3},
     raster::Interpolate,
     scene::Object,
@@ -98,9 +98,9 @@ where
     V: Varyings + Interpolate,
 {
     /// Projects the object's vertices once, and draws it into each band.
-    pub(super) fn draw<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling>(
+    pub(super) fn draw<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling, L: Clipping>(
         &mut self,
-        object: &Object<'_, Sh, K>,
+        object: &Object<'_, Sh, K, L>,
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {
@@ -121,9 +121,14 @@ where
     V: Varyings + Interpolate,
 {
     /// The same without depth.
-    pub(super) fn draw_without_depth<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling>(
+    pub(super) fn draw_without_depth<
+        P: Projection,
+        Sh: Shader<Color = Rgb565, Varyings = V>,
+        K: Culling,
+        L: Clipping,
+    >(
         &mut self,
-        object: &Object<'_, Sh, K>,
+        object: &Object<'_, Sh, K, L>,
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {
@@ -138,9 +143,9 @@ where
     }
 
     /// The same straight onto the display, as far as the camera's viewport goes.
-    pub(super) fn draw_directly<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling>(
+    pub(super) fn draw_directly<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling, L: Clipping>(
         &mut self,
-        object: &Object<'_, Sh, K>,
+        object: &Object<'_, Sh, K, L>,
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {

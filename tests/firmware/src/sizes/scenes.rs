@@ -8,7 +8,7 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel},
+    geometry::{ClipAll, ClipNone, Clipping, CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel},
     mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
     scene::Object,
@@ -49,6 +49,7 @@ const PICTURE: Rectangle = picture(240);
 fn gouraud<P: Projection, S: Subpixel, D, const PIXELS: usize, const VERTICES: usize>(
     mesh: &'static Mesh<'static>,
     lens: P,
+    clipping: impl Clipping,
     memory: &mut Bands<S, D, [u16; 1], PIXELS, VERTICES>,
     display: &mut Display,
 ) -> Option<()>
@@ -58,7 +59,8 @@ where
     let gouraud = Gouraud::new(LIGHT);
     for_each_view(|view| {
         let camera = camera(view, lens, Bands::<S, D, [u16; 1], PIXELS, VERTICES>::PICTURE)?;
-        memory.draw(&Object::new(mesh, gouraud).posed(view.pose()), &camera, display)
+        let object = Object::new(mesh, gouraud).posed(view.pose()).clipped(clipping);
+        memory.draw(&object, &camera, display)
     })
 }
 
@@ -102,7 +104,8 @@ impl Scene for Deep {
     }
 }
 
-/// A cube without light or depth, straight onto the display.
+/// A cube without light or depth, straight onto the display. Like the next two it is a small display's only object, which
+/// its author keeps before the camera: nothing is clipped.
 #[derive(Clone, Copy, Debug)]
 pub struct UnlitDirect;
 
@@ -113,7 +116,7 @@ impl Scene for UnlitDirect {
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
         for_each_view(|view| {
-            let cube = Object::new(&CUBE, Unlit::new()).posed(view.pose());
+            let cube = Object::new(&CUBE, Unlit::new()).posed(view.pose()).clipped(ClipNone);
             memory.draw_directly(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
         })
     }
@@ -131,7 +134,7 @@ impl Scene for FlatDirect {
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
         let flat = Flat::new(LIGHT);
         for_each_view(|view| {
-            let cube = Object::new(&CUBE, flat).posed(view.pose());
+            let cube = Object::new(&CUBE, flat).posed(view.pose()).clipped(ClipNone);
             memory.draw_directly(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
         })
     }
@@ -149,7 +152,7 @@ impl Scene for FlatBands {
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
         let flat = Flat::new(LIGHT);
         for_each_view(|view| {
-            let cube = Object::new(&CUBE, flat).posed(view.pose());
+            let cube = Object::new(&CUBE, flat).posed(view.pose()).clipped(ClipNone);
             memory.draw_without_depth(&cube, &camera(view, PERSPECTIVE, PICTURE)?, display)
         })
     }
@@ -183,11 +186,25 @@ impl Scene for GouraudS4 {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        gouraud(&BALL, PERSPECTIVE, memory, display)
+        gouraud(&BALL, PERSPECTIVE, ClipAll, memory, display)
     }
 }
 
-/// The same with finer sub-pixels.
+/// The same without clipping.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudUnclipped;
+
+impl Scene for GouraudUnclipped {
+    type Memory = Bands<S4, u16, [u16; 1], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        gouraud(&BALL, PERSPECTIVE, ClipNone, memory, display)
+    }
+}
+
+/// The same as [`GouraudS4`] with finer sub-pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct GouraudS8;
 
@@ -197,7 +214,7 @@ impl Scene for GouraudS8 {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        gouraud(&BALL, PERSPECTIVE, memory, display)
+        gouraud(&BALL, PERSPECTIVE, ClipAll, memory, display)
     }
 }
 
@@ -211,7 +228,7 @@ impl Scene for GouraudWide {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        gouraud(&BALL, PERSPECTIVE, memory, display)
+        gouraud(&BALL, PERSPECTIVE, ClipAll, memory, display)
     }
 }
 
@@ -225,7 +242,7 @@ impl Scene for Parallel {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        gouraud(&BALL, ORTHOGRAPHIC, memory, display)
+        gouraud(&BALL, ORTHOGRAPHIC, ClipAll, memory, display)
     }
 }
 
@@ -241,7 +258,7 @@ impl Scene for Spot {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        gouraud(&SPOT, PERSPECTIVE, memory, display)
+        gouraud(&SPOT, PERSPECTIVE, ClipAll, memory, display)
     }
 }
 

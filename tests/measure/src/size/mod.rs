@@ -77,13 +77,14 @@ const DEPTH: u32 = 4096;
 const SPOT: &str = "spot";
 
 /// The scenes, the smallest first. Each is the program `size_*` of the firmware, with underscores.
-const SCENES: [&str; 12] = [
+const SCENES: [&str; 13] = [
     EMPTY,
     DEEP,
     "unlit-direct",
     "flat-direct",
     "flat-bands",
     "flat-depth",
+    "gouraud-unclipped",
     "gouraud-s4",
     "gouraud-s8",
     "gouraud-wide",
