@@ -140,7 +140,7 @@ impl Sealed for Orthographic {
         let w = 1i32.checked_shl(units.xy.wrapping_neg() as u32).unwrap_or(0);
         OrthographicLens {
             w,
-            reciprocal: Reciprocal::of((w << 1) as u32),
+            reciprocal: Reciprocal::of((w << 1).max(1) as u32),
             far,
             range: Reciprocal::of(far.wrapping_sub(near).max(1) as u32),
         }
