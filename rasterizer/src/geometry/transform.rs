@@ -26,16 +26,16 @@ pub(crate) struct ClipVertex<V> {
 
 /// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
 ///
-/// Its entries have 16 bits behind the point of a clip-space unit. Where there is no long multiply they are kept as
-/// `high * 2^16 + low`: their products with positions of 16 bits fit 32 then.
+/// Its entries have 14 bits behind the point of a clip-space unit, and are below 2^28. Where there is no long multiply they
+/// are kept as `high * 2^14 + low`: with positions of 16 bits all products and their sums fit 32 then.
 #[derive(Clone, Copy, Debug)]
 struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
-    /// The entries, or their upper and their lower halves.
+    /// The entries with 16 bits behind the point, or their upper and their lower parts.
     entries: [[i32; 3]; PARTS],
     translation: i32,
 }
 
-const FRACTION_BITS: u32 = 16;
+const FRACTION_BITS: u32 = 14;
 
 /// What no coordinate reaches.
 const BEYOND: i32 = 1 << 30;
@@ -47,7 +47,7 @@ impl<const PARTS: usize> Row<PARTS> {
         let entries = terms.entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
         let part = |part: usize| {
             entries.map(|m| match (PARTS, part) {
-                (1, _) => m,
+                (1, _) => m << (16 - FRACTION_BITS),
                 (_, 0) => m >> FRACTION_BITS,
                 _ => m & ((1 << FRACTION_BITS) - 1),
             })
@@ -58,12 +58,17 @@ impl<const PARTS: usize> Row<PARTS> {
         }
     }
 
-    /// Entries . p + translation, each product rounded down.
+    /// ⌊entries . p⌋ + translation, exactly.
     #[inline(always)]
-    fn apply(&self, [x, y, z]: [i32; 3]) -> i32 {
-        let sum = match *self.entries.as_slice() {
-            [[a, b, c]] => mul_high(a, x << 16) + mul_high(b, y << 16) + mul_high(c, z << 16),
-            [[a, b, c], [d, e, f]] => a * x + b * y + c * z + ((d * x) >> 16) + ((e * y) >> 16) + ((f * z) >> 16),
+    fn apply(&self, p: [i32; 3]) -> i32 {
+        let product = |entries: &[i32; 3]| entries[0] * p[0] + entries[1] * p[1] + entries[2] * p[2];
+        let sum = match self.entries.as_slice() {
+            [whole] => {
+                // With 16 bits each behind the point, the integer is the upper word.
+                let [x, y, z] = core::array::from_fn(|i| i64::from(whole[i]) * i64::from(p[i] << 16));
+                ((x + y + z) >> 32) as i32
+            }
+            [high, low] => product(high) + (product(low) >> FRACTION_BITS),
             _ => 0,
         };
         sum + self.translation
