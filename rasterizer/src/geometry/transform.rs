@@ -6,7 +6,7 @@ use super::{
 use crate::{
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Float, IS_NARROW, dot, mul_high, saturate},
+    numbers::{Float, IS_NARROW, dot, mul_high, normalised, saturate},
 };
 
 /// A point in clip space.
@@ -99,9 +99,14 @@ impl Terms {
     /// The least n for which a coordinate stays below 2^n.
     #[inline(never)]
     fn magnitude(&self) -> i32 {
-        // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|, and four terms below 2^n add up to less than 2^(n + 2).
+        // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|: added up in a unit in which none of the four reaches 2^28, with
+        // what rounding takes off them.
         let largest = self.entries.iter().map(|m| m.magnitude() + 15);
-        largest.fold(self.translation.magnitude(), i32::max) + 2
+        let unit = largest.fold(self.translation.magnitude(), i32::max) - 28;
+        let entries = self.entries.iter().map(|m| m.in_units_of(unit - 15).unsigned_abs());
+        let sum = entries.sum::<u32>() + self.translation.in_units_of(unit).unsigned_abs() + 4;
+        let (_, leading_zeros) = normalised(sum);
+        unit + 32 - leading_zeros as i32
     }
 }
 
