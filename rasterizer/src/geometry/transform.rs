@@ -221,7 +221,7 @@ impl<P: Projection> Transform<P> {
     /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of its own, as compilers
     /// repeat it for each corner of a box.
     #[inline(never)]
-    fn beyond(&self, position: [i16; 3]) -> u8 {
+    pub(crate) fn beyond(&self, position: [i16; 3]) -> u8 {
         let [x, y, z] = self.few_to_clip(position);
         // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
         let [across, down] = self.size.map(|pixels| (pixels / 2 + 2) as i32);

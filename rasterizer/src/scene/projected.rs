@@ -235,6 +235,10 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
                     visit(index, corners, area)?;
                 }
             } else if L::CUTS {
+                // Most triangles that reach out of the guard band have nothing in the picture.
+                if self.hides(index) {
+                    continue;
+                }
                 let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
                 self.clip(index, &mut polygon);
                 let Some((hub, rim)) = polygon.split_first() else {
@@ -258,6 +262,17 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         // Counter-clockwise is negative, as y runs downwards.
         let is_seen = (area < 0 && K::FRONT) || (area > 0 && K::BACK);
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
+    }
+
+    /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the same plane.
+    #[cold]
+    #[inline(never)]
+    fn hides(&self, index: usize) -> bool {
+        let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
+            bits & self.transform.beyond(MeshVertex::new(self.tables, index).position())
+        });
+        beyond_all != 0
     }
 
     /// What near plane, far plane and guard band leave of a triangle, into a polygon that is still empty: one that is
