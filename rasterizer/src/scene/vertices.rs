@@ -71,8 +71,8 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
 /// | torus knot | 6.0 | 2.4 | 1.8 | 1.0 |
 ///
 /// Each draw begins anew, so that a frame in 15 bands costs that 15 times. [Bins](super::Projected::binned) bring it
-/// down to the vertices of the triangles in each band: of 5,856 triangles, 7.0 million instructions with 35 KB of
-/// vertices and 11 KB of bins (Cortex-M0+, 320 x 240) become 8.8 million with the bins alone, and 38 million with
+/// down to the vertices of the triangles in each band: of 5,856 triangles, 6.0 million instructions with 35 KB of
+/// vertices and 11 KB of bins (Cortex-M0+, 320 x 240) become 7.6 million with the bins alone, and 30 million with
 /// neither. Powers of two are the fastest `N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Walked<S, D, const N: usize = 32> {

@@ -16,7 +16,7 @@ pub(super) const BEND: f64 = 0.18;
 type Explained = (Curve, [u64; 2], &'static str);
 
 /// The steps that are known, with their causes.
-const EXPLAINED: [Explained; 4] = [
+const EXPLAINED: [Explained; 2] = [
     (
         Curve::SquareTriangles,
         [100_352, 100_352],
@@ -25,19 +25,9 @@ const EXPLAINED: [Explained; 4] = [
     ),
     (
         Curve::SphereWidths,
-        [362, 724],
-        "It is higher than the display: the triangles at its outline leave the picture, and end before they are set up",
-    ),
-    (
-        Curve::SphereWidths,
         [2_896, 2_896],
-        "It reaches out of the guard band: most of its triangles are clipped or lie outside, and for each of them three \
-         vertices are transformed and lit again, before its back faces are culled",
-    ),
-    (
-        Curve::CubeWidths,
-        [2_896, 2_896],
-        "It reaches out of the guard band: clipping makes 12 triangles of 5, and each row more and shorter runs of pixels",
+        "It reaches out of the guard band: for triangles there three vertices are transformed again, to find whether they \
+         show and to clip those that do",
     ),
 ];
 
