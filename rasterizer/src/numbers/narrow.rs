@@ -78,8 +78,8 @@ pub(crate) const fn saturate(value: i32, limit: i32) -> i32 {
 /// (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one ask for.
 pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension, which have atomic
-/// instructions.
+/// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension. The baseline of `ARMv8-M`
+/// counts as one of them, as it has atomic instructions too; there a compiler stores two halves.
 pub(crate) const HAS_UNALIGNED_WORDS: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
 
 #[inline(always)]

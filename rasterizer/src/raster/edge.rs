@@ -17,6 +17,7 @@
 //! boundary moves by q pixels and E by -r, and by one more pixel where that makes E negative. Nothing is ever rounded,
 //! and no value needs more than 32 bits at any sub-pixel precision.
 
+use super::Layout;
 use crate::{
     geometry::Subpixel,
     numbers::{IS_NARROW, divide_small},
@@ -37,12 +38,11 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below `top`. The row's
-    /// column 0 has the address `row_address`, and that of the next row lies `pitch` further.
+    /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below `top`.
     ///
     /// Coordinates are sub-pixels, the edge's extents below 2^(12 + S).
     #[inline(always)]
-    pub(super) fn new<S: Subpixel>(top: [i32; 2], bottom: [i32; 2], row: i32, row_address: i32, pitch: i32) -> Self {
+    pub(super) fn new<S: Subpixel>(top: [i32; 2], bottom: [i32; 2], row: i32, layout: &Layout) -> Self {
         let half = 1 << (S::BITS - 1);
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
         let (columns, remainder) = floor_divide(dx, dy);
@@ -64,9 +64,9 @@ impl Edge {
             function += dy;
         }
         Self {
-            boundary: row_address + column,
+            boundary: layout.row_address(row) + column,
             function,
-            stride: columns + pitch,
+            stride: columns + layout.pitch,
             remainder,
             dy,
         }
@@ -138,11 +138,14 @@ mod tests {
         least as i32
     }
 
+    /// Every row alike: an address is a column.
+    const COLUMNS: Layout = Layout { pitch: 0, origin: 0 };
+
     fn edge(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> Edge {
         if bits == 4 {
-            Edge::new::<S4>(top, bottom, row, 0, 0)
+            Edge::new::<S4>(top, bottom, row, &COLUMNS)
         } else {
-            Edge::new::<S8>(top, bottom, row, 0, 0)
+            Edge::new::<S8>(top, bottom, row, &COLUMNS)
         }
     }
 

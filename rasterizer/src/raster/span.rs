@@ -57,6 +57,14 @@ pub struct Layout {
     pub origin: i32,
 }
 
+impl Layout {
+    /// The address of a row's column 0.
+    #[inline(always)]
+    pub(super) const fn row_address(&self, row: i32) -> i32 {
+        row.wrapping_mul(self.pitch).wrapping_sub(self.origin)
+    }
+}
+
 /// Covered pixels of one row, with the attributes at the first one's centre and their change from pixel to pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span<D: Interpolate, V: Interpolate> {

@@ -97,35 +97,28 @@ where
             self.area,
             right - left,
         );
-        let Layout { pitch, origin } = layout;
         let [anchor_column, anchor_row] = at(top).map(|c| c >> S::BITS);
         // From the anchor to the pixel at address 0 of the display's first row.
-        let to_first = [origin - anchor_column, -anchor_row];
+        let to_first = [layout.origin - anchor_column, -anchor_row];
         // What is used once a row stays in memory, from where it is worked out: compilers would rather keep it in registers
         // and spill what is used for every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
-        let mut depth = D::plane(&setup, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, pitch);
+        let mut depth =
+            D::plane(&setup, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, layout.pitch);
         black_box(&mut depth);
         let mut varyings =
-            V::plane(&setup, [top.varyings, middle.varyings, bottom.varyings]).over_addresses(to_first, pitch);
+            V::plane(&setup, [top.varyings, middle.varyings, bottom.varyings]).over_addresses(to_first, layout.pitch);
         black_box(&mut varyings);
 
         let mut row = first_row;
         // The long edge stays; the short one on the other side gives way to the next at the middle corner's row.
-        let mut long = Edge::new::<S>(
-            at(top),
-            at(bottom),
-            row,
-            row.wrapping_mul(pitch).wrapping_sub(origin),
-            pitch,
-        );
+        let mut long = Edge::new::<S>(at(top), at(bottom), row, &layout);
         black_box(&mut long);
         let (mut upper, mut lower, mut end) = (top, middle, middle_row.min(end_row));
         if row >= end {
             (upper, lower, end) = (middle, bottom, end_row);
         }
         loop {
-            let row_address = row.wrapping_mul(pitch).wrapping_sub(origin);
-            let mut short = Edge::new::<S>(at(upper), at(lower), row, row_address, pitch);
+            let mut short = Edge::new::<S>(at(upper), at(lower), row, &layout);
             let (left, right) = if middle_is_right {
                 (&mut long, &mut short)
             } else {
@@ -135,9 +128,9 @@ where
             while row < end {
                 let (mut start, mut end) = (left.boundary, right.boundary);
                 if is_cut {
-                    let row_address = row.wrapping_mul(pitch).wrapping_sub(origin);
-                    start = start.max(row_address + window.left);
-                    end = end.min(row_address + window.right).max(start);
+                    let address = layout.row_address(row);
+                    start = start.max(address + window.left);
+                    end = end.min(address + window.right).max(start);
                 }
                 // No address is negative, and targets that compare them so know then that `start` is the lesser.
                 if (start as usize) < end as usize {
