@@ -14,10 +14,7 @@ pub use bounds::{BoundingBox, BoundingSphere, Bounds};
 pub use check::MeshError;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
-use crate::{
-    numbers::{Scale, Vec3},
-    shade::RequiredTables,
-};
+use crate::numbers::{Scale, Vec3};
 
 /// The tables of a model, before they are checked.
 ///
@@ -43,24 +40,6 @@ pub struct Tables<'a> {
     pub triangles: Triangles<'a>,
     /// The materials in the order of the triangles they cover.
     pub materials: &'a [Material],
-}
-
-impl<'a> Tables<'a> {
-    /// The same with those tables of vertices that are read cut to `count`; nothing if one is shorter.
-    #[inline(always)]
-    pub(crate) fn of_vertices(&self, count: usize, read: RequiredTables) -> Option<Self> {
-        Some(Self {
-            positions: self.positions.get(..count)?,
-            vertex_normals: cut(self.vertex_normals, count, read.vertex_normals)?,
-            texture_coordinates: cut(self.texture_coordinates, count, read.texture_coordinates)?,
-            ..*self
-        })
-    }
-}
-
-#[inline(always)]
-fn cut<T>(table: &[T], count: usize, is_read: bool) -> Option<&[T]> {
-    if is_read { table.get(..count) } else { Some(table) }
 }
 
 /// Vertex indices, in the smallest type that holds them.

@@ -305,7 +305,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
 ) {
     // Tables of that length, so that the loop need not look whether they end.
     let count = vertices.len();
-    let Some(tables) = tables.of_vertices(count, Sh::TABLES) else {
+    let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
         return;
     };
     // A copy on the stack that anyone might write to: compilers read it from there for each vertex. Else they take its

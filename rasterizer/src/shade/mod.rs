@@ -97,6 +97,22 @@ impl RequiredTables {
         face_normals: false,
         texture_coordinates: false,
     };
+
+    /// A mesh's tables, those of vertices that are read cut to `count`; nothing if one is shorter.
+    #[inline(always)]
+    pub(crate) fn of_vertices<'a>(self, tables: &Tables<'a>, count: usize) -> Option<Tables<'a>> {
+        Some(Tables {
+            positions: tables.positions.get(..count)?,
+            vertex_normals: cut(tables.vertex_normals, count, self.vertex_normals)?,
+            texture_coordinates: cut(tables.texture_coordinates, count, self.texture_coordinates)?,
+            ..*tables
+        })
+    }
+}
+
+#[inline(always)]
+fn cut<T>(table: &[T], count: usize, is_read: bool) -> Option<&[T]> {
+    if is_read { table.get(..count) } else { Some(table) }
 }
 
 /// A vertex of a mesh, read from its tables as far as the shader asks.
