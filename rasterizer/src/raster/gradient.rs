@@ -186,7 +186,8 @@ impl<S: Subpixel> TriangleSetup<S> {
         }
     }
 
-    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits.
+    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits. Three numbers, as an array
+    /// would be put into memory before it is known whether it is needed.
     #[cold]
     #[inline(never)]
     fn exact_plane(self, a: u16, b: u16, c: u16) -> Plane<u32> {
