@@ -11,17 +11,19 @@ pub type Distance = U16F16;
 /// A pinhole camera: what is twice as far away looks half as large.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Perspective {
-    focal: Focal,
     near: Distance,
     far: Distance,
+    focal: Focal,
+    per_near: Float,
+    far_per_near: Float,
 }
 
-/// How large something of one unit at a distance of one unit appears.
+/// How large something as wide as it is far away appears.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Focal {
     /// In half heights of the viewport: the cotangent of half the vertical field of view.
     HalfHeights(Float),
-    Pixels(Distance),
+    Pixels(Float),
 }
 
 impl Perspective {
@@ -49,14 +51,22 @@ impl Perspective {
         if pixels.to_bits() == 0 {
             return Err(CameraError::Magnification);
         }
-        Self::checked(Focal::Pixels(pixels), near, far)
+        Self::checked(Focal::Pixels(Float::from_unsigned(pixels)), near, far)
     }
 
     const fn checked(focal: Focal, near: Distance, far: Distance) -> Result<Self, CameraError> {
         if !is_range(near, far) {
             return Err(CameraError::DepthRange);
         }
-        Ok(Self { focal, near, far })
+        // Divided by here, as a lens is often a constant.
+        let per_near = Float::from_unsigned(near).reciprocal();
+        Ok(Self {
+            near,
+            far,
+            focal,
+            per_near,
+            far_per_near: Float::from_unsigned(far).times(per_near),
+        })
     }
 
     /// The distance of the near plane: nothing nearer is drawn, and depth is 1 there.
@@ -75,8 +85,18 @@ impl Perspective {
     pub(crate) const fn focal_length(&self, viewport_height: u32) -> Float {
         match self.focal {
             Focal::HalfHeights(cotangent) => cotangent.times(Float::new(viewport_height as i64, -1)),
-            Focal::Pixels(pixels) => Float::from_unsigned(pixels),
+            Focal::Pixels(pixels) => pixels,
         }
+    }
+
+    /// 1 / near.
+    pub(crate) const fn per_near(&self) -> Float {
+        self.per_near
+    }
+
+    /// far / near.
+    pub(crate) const fn far_per_near(&self) -> Float {
+        self.far_per_near
     }
 }
 

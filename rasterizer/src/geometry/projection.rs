@@ -19,8 +19,8 @@ pub trait Sealed {
     /// The lengths of clip space in one of the world: pixels across at w = 1, and units of z.
     fn magnification(&self, viewport_height: u32) -> [Float; 2];
 
-    /// The near and the far distance in units of z.
-    fn depth_range(&self) -> [Float; 2];
+    /// The near and the far distance in these units.
+    fn depth_range(&self, units: Units) -> [i32; 2];
 
     /// The units of clip space, as exponents of 2, for an object whose x and y (as multiples of the guard band at
     /// w = 1) and z lie below 2^`xy` and 2^`z`.
@@ -62,13 +62,13 @@ impl Sealed for Perspective {
 
     /// In multiples of the near distance: depth is then 1 / z.
     fn magnification(&self, viewport_height: u32) -> [Float; 2] {
-        let per_unit = Float::from_unsigned(self.near()).reciprocal();
-        [self.focal_length(viewport_height).times(per_unit), per_unit]
+        let per_near = self.per_near();
+        [self.focal_length(viewport_height).times(per_near), per_near]
     }
 
-    fn depth_range(&self) -> [Float; 2] {
-        let [near, far] = [self.near(), self.far()].map(Float::from_unsigned);
-        [Float::ONE, far.times(near.reciprocal())]
+    fn depth_range(&self, units: Units) -> [i32; 2] {
+        let PerspectiveLens { down } = self.lens(units);
+        [(1 << 30) >> down.min(31), self.far_per_near().in_units_of(units.z)]
     }
 
     /// w is z, so that all three have the same unit.
@@ -118,16 +118,16 @@ impl Sealed for Orthographic {
     type Lens = OrthographicLens;
 
     fn magnification(&self, viewport_height: u32) -> [Float; 2] {
-        [self.pixels_per_unit(viewport_height), Float::ONE]
+        [self.pixels_per_unit(viewport_height), Float::new(1, 0)]
     }
 
-    fn depth_range(&self) -> [Float; 2] {
-        [self.near(), self.far()].map(Float::from_unsigned)
+    fn depth_range(&self, units: Units) -> [i32; 2] {
+        [self.near(), self.far()].map(|d| Float::from_unsigned(d).in_units_of(units.z))
     }
 
     /// w = 1 is a whole number of units unless the object is too large, and the far plane can be named in z.
     fn units(&self, xy: i32, z: i32) -> Units {
-        let [_, far] = self.depth_range();
+        let far = Float::from_unsigned(self.far());
         Units {
             // Below 2^30, so that the sum of w and a coordinate as large fits too.
             xy: (xy - BITS).max(1 - BITS),
@@ -136,7 +136,7 @@ impl Sealed for Orthographic {
     }
 
     fn lens(&self, units: Units) -> OrthographicLens {
-        let [near, far] = self.depth_range().map(|d| d.in_units_of(units.z));
+        let [near, far] = self.depth_range(units);
         let w = 1i32.checked_shl(units.xy.wrapping_neg() as u32).unwrap_or(0);
         OrthographicLens {
             w,

@@ -44,18 +44,22 @@ impl<const PARTS: usize> Row<PARTS> {
     /// The row's terms in units of 2^`unit`.
     #[inline(never)]
     fn new(terms: &Terms, unit: i32) -> Self {
-        let entries = terms.entries.map(|m| m.in_units_of(unit - FRACTION_BITS as i32));
-        let part = |part: usize| {
-            entries.map(|m| match (PARTS, part) {
-                (1, _) => m << (16 - FRACTION_BITS),
-                (_, 0) => m >> FRACTION_BITS,
-                _ => m & ((1 << FRACTION_BITS) - 1),
-            })
-        };
-        Self {
-            entries: core::array::from_fn(part),
+        let mut row = Self {
+            entries: [[0; 3]; PARTS],
             translation: terms.translation.in_units_of(unit),
+        };
+        for (column, term) in terms.reaches.iter().enumerate() {
+            let entry = term.in_units_of(unit + 15 - FRACTION_BITS as i32);
+            match row.entries.as_mut_slice() {
+                [whole] => whole[column] = entry << (16 - FRACTION_BITS),
+                [high, low] => {
+                    high[column] = entry >> FRACTION_BITS;
+                    low[column] = entry & ((1 << FRACTION_BITS) - 1);
+                }
+                _ => {}
+            }
         }
+        row
     }
 
     /// ⌊entries . p⌋ + translation, exactly.
@@ -76,35 +80,47 @@ impl<const PARTS: usize> Row<PARTS> {
 }
 
 /// A row before its unit is known.
+#[derive(Clone, Copy, Debug)]
 struct Terms {
-    entries: [Float; 3],
+    /// What the coordinates of a position add at most: at 2^15 quanta.
+    reaches: [Float; 3],
     translation: Float,
 }
 
 impl Terms {
-    /// For a direction in Q30 of the mesh's axes whose quanta are so long, and for the mesh's place in this direction, both
-    /// magnified.
+    /// Along an axis of the camera, of which a world unit is so long in clip space.
     ///
-    /// Like the rest of what makes a matrix, it is called rather than inlined: it is used for each of three rows, once a
-    /// frame.
+    /// Like the rest of what makes a matrix, it is called rather than inlined: for each of three rows, once a frame.
     #[inline(never)]
-    fn new(direction: &[i32; 3], quantum: Float, place: Float, magnification: Float) -> Self {
-        let length = quantum.times(magnification);
+    fn new(axis: &[i32; 3], magnification: Float, eye: &[i32; 3], pose: &Pose, tables: &Tables<'_>) -> Self {
+        // All scalar products are Q30 x Q16: below 2^62, as an axis has length one.
+        let direction = pose.rotation.turn_back(axis);
+        let scale = Float::from_unsigned(pose.scale);
+        let offset = Float::new(dot(&direction, &tables.offset.to_bits()), -46).times(scale);
+        let way = dot(axis, &pose.translation.to_bits()) - dot(axis, eye);
+        let mut reach = scale.times(Float::from_scale(tables.scale)).times(magnification);
+        // Of 2^15 quanta, by a factor in Q30.
+        reach.exponent += 15;
         Self {
-            entries: direction.map(|c| Float::new(i64::from(c), -30).times(length)),
-            translation: place.times(magnification),
+            reaches: direction.map(|c| Float::new(i64::from(c), -30).times(reach)),
+            translation: Float::new(way, -46).plus(offset).times(magnification),
         }
     }
 
     /// The least n for which a coordinate stays below 2^n.
     #[inline(never)]
     fn magnitude(&self) -> i32 {
-        // |coordinate| <= 2^15 (|a| + |b| + |c|) + |t|: added up in a unit in which none of the four reaches 2^28, with
-        // what rounding takes off them.
-        let largest = self.entries.iter().map(|m| m.magnitude() + 15);
-        let unit = largest.fold(self.translation.magnitude(), i32::max) - 28;
-        let entries = self.entries.iter().map(|m| m.in_units_of(unit - 15).unsigned_abs());
-        let sum = entries.sum::<u32>() + self.translation.in_units_of(unit).unsigned_abs() + 4;
+        // Added up in a unit in which none of the four reaches 2^28, with what rounding takes off them.
+        let most = self
+            .reaches
+            .iter()
+            .fold(self.translation.exponent, |most, m| most.max(m.exponent));
+        let unit = most + 31 - 28;
+        let at_most = |m: Float| m.in_units_of(unit).unsigned_abs();
+        let sum = self
+            .reaches
+            .iter()
+            .fold(at_most(self.translation) + 4, |sum, &m| sum + at_most(m));
         let (_, leading_zeros) = normalised(sum);
         unit + 32 - leading_zeros as i32
     }
@@ -113,7 +129,9 @@ impl Terms {
 /// Everything between an object's table and the screen, for one frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Transform<P: Projection> {
-    rows: [Row; 3],
+    x: Row,
+    y: Row,
+    z: Row,
     pub(super) near: i32,
     pub(super) far: i32,
     pub(super) lens: P::Lens,
@@ -129,22 +147,20 @@ impl<P: Projection> Transform<P> {
     pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Self {
         let projection = camera.projection();
         let viewport = camera.viewport();
-        // World units for a quantum of the mesh, and guard bands and units of z for a world unit at w = 1.
-        let quantum = Float::from_unsigned(pose.scale).times(Float::from_scale(tables.scale));
+        // Guard bands for a world unit at w = 1, and units of z.
         let [mut across, deep] = projection.magnification(viewport.size.height);
         across.exponent -= GUARD_BITS as i32;
-        let origin = origin(camera, pose, tables);
-        let [x, y, z] = core::array::from_fn(|row| {
-            let direction = pose.rotation.turn_back(&camera.axes()[row]);
-            let magnification = if row < 2 { across } else { deep };
-            Terms::new(&direction, quantum, origin[row], magnification)
-        });
+        let eye = camera.eye().to_bits();
+        let terms = |axis: usize, magnification| Terms::new(&camera.axes()[axis], magnification, &eye, pose, tables);
+        let (x, y, z) = (terms(0, across), terms(1, across), terms(2, deep));
 
         let units = projection.units(x.magnitude().max(y.magnitude()), z.magnitude());
-        let [near, far] = projection.depth_range().map(|d| d.in_units_of(units.z));
+        let [near, far] = projection.depth_range(units);
         let (corner, size) = (viewport.top_left, viewport.size);
         Self {
-            rows: [Row::new(&x, units.xy), Row::new(&y, units.xy), Row::new(&z, units.z)],
+            x: Row::new(&x, units.xy),
+            y: Row::new(&y, units.xy),
+            z: Row::new(&z, units.z),
             near: near.clamp(1, BEYOND),
             far: far.min(BEYOND),
             lens: projection.lens(units),
@@ -163,9 +179,9 @@ impl<P: Projection> Transform<P> {
     pub(crate) fn object_to_clip<V>(&self, position: [i16; 3], varyings: V) -> ClipVertex<V> {
         let p = position.map(i32::from);
         ClipVertex {
-            x: self.rows[0].apply(p),
-            y: self.rows[1].apply(p),
-            z: self.rows[2].apply(p),
+            x: self.x.apply(p),
+            y: self.y.apply(p),
+            z: self.z.apply(p),
             varyings,
         }
     }
@@ -240,33 +256,6 @@ impl<P: Projection> Transform<P> {
         ];
         beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside))
     }
-}
-
-/// Where position (0, 0, 0) of the table lies in view space: right, down, forward.
-#[inline(never)]
-fn origin<P>(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> [Float; 3] {
-    let (rows, offset) = (pose.rotation.to_bits(), tables.offset.to_bits().map(i64::from));
-    let (translation, eye) = (pose.translation.to_bits(), camera.eye().to_bits());
-    let mut from_eye: [i64; 3] = core::array::from_fn(|axis| {
-        // Q30 x Q16, three times: below 2^62. To Q31, below 2^47.
-        let turned = (dot(&rows[axis], &offset) + (1 << 14)) >> 15;
-        let way = i64::from(translation[axis]) - i64::from(eye[axis]);
-        scaled(turned, pose.scale.to_bits()) + (way << 15)
-    });
-    // To 32 bits, so that products with the camera's axes in Q30 add up in 64.
-    let mut exponent = -61;
-    while from_eye.iter().any(|c| c.unsigned_abs() >> 32 != 0) {
-        from_eye = from_eye.map(|c| c >> 1);
-        exponent += 1;
-    }
-    core::array::from_fn(|row| Float::new(dot(&camera.axes()[row], &from_eye), exponent))
-}
-
-/// A coordinate below 2^47 times a scale in Q16, rounded: below 2^63, with room for 2^61 more.
-#[inline(never)]
-fn scaled(c: i64, scale: u32) -> i64 {
-    let scale = i64::from(scale);
-    (c >> 16) * scale + (((c & 0xFFFF) * scale + (1 << 15)) >> 16)
 }
 
 #[cfg(test)]
@@ -397,14 +386,15 @@ mod tests {
     fn rows_in_parts_give_what_whole_rows_give() {
         let mut state = 0x1234_5678_9ABC_DEF1;
         for _ in 0..100_000 {
+            let [x, y, z] = [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -9));
             let terms = Terms {
-                entries: [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -24)),
+                reaches: [x, y, z],
                 translation: Float::new(i64::from(random(&mut state)), 10),
             };
             let p = [0; 3].map(|_| i32::from(random(&mut state)));
             let whole = Row::<1>::new(&terms, 0).apply(p);
             let parts = Row::<2>::new(&terms, 0).apply(p);
-            assert_eq!(whole, parts, "{:?} {p:?}", terms.entries);
+            assert_eq!(whole, parts, "{terms:?} {p:?}");
         }
     }
 

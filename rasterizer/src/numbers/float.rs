@@ -8,7 +8,7 @@ use fixed::types::U16F16;
 
 use super::{Scale, reciprocal::Reciprocal};
 
-/// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or 0.
+/// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or [`ZERO`](Self::ZERO).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Float {
     pub(crate) mantissa: i32,
@@ -16,12 +16,11 @@ pub struct Float {
 }
 
 impl Float {
+    /// Less than any other, so that it has no part in the unit of a sum.
     pub(crate) const ZERO: Self = Self {
         mantissa: 0,
-        exponent: 0,
+        exponent: -100_000,
     };
-
-    pub(crate) const ONE: Self = Self::new(1, 0);
 
     /// `value * 2^exponent`, rounded to 31 bits.
     #[inline(never)]
@@ -66,6 +65,13 @@ impl Float {
         )
     }
 
+    /// The sum, within 2<sup>-31</sup> of the larger magnitude.
+    pub(crate) fn plus(self, other: Self) -> Self {
+        let unit = self.exponent.max(other.exponent);
+        let sum = i64::from(self.in_units_of(unit)) + i64::from(other.in_units_of(unit));
+        Self::new(sum, unit)
+    }
+
     /// 1 / self, of a positive number, within 2<sup>-29</sup>.
     #[inline(never)]
     pub(crate) const fn reciprocal(self) -> Self {
@@ -79,18 +85,14 @@ impl Float {
 
     /// The least n for which the number's magnitude is below 2<sup>n</sup>; very small for 0.
     pub(crate) const fn magnitude(self) -> i32 {
-        if self.mantissa == 0 {
-            -100_000
-        } else {
-            self.exponent + 31
-        }
+        self.exponent + 31
     }
 
     /// In units of 2<sup>`exponent`</sup>, rounded, saturating at the ends of `i32`.
     #[inline(never)]
     pub(crate) const fn in_units_of(self, exponent: i32) -> i32 {
         let shift = self.exponent - exponent;
-        if self.mantissa == 0 || shift < -31 {
+        if shift < -31 {
             0
         } else if shift < 0 {
             let twice = self.mantissa >> (-shift - 1);

@@ -75,9 +75,8 @@ impl Rotation {
     /// The rotated vector, rounded; it saturates at the ends of the range.
     #[must_use]
     pub fn apply(&self, v: Vec3) -> Vec3 {
-        let v = v.to_bits().map(i64::from);
         Vec3::from_bits(self.to_bits().map(|row| {
-            let sum = (dot(&row, &v) + (1 << 29)) >> 30;
+            let sum = (dot(&row, &v.to_bits()) + (1 << 29)) >> 30;
             sum.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
         }))
     }
@@ -86,9 +85,16 @@ impl Rotation {
     /// Matrices are made of it, once a frame: a function that is called.
     #[inline(never)]
     pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
-        let ([x, y, z], v) = (self.to_bits(), v.map(i64::from));
-        let product = |column: [i32; 3]| ((dot(&column, &v) + (1 << 29)) >> 30) as i32;
-        [[x[0], y[0], z[0]], [x[1], y[1], z[1]], [x[2], y[2], z[2]]].map(product)
+        let mut turned = [0; 3];
+        for (column, turned) in turned.iter_mut().enumerate() {
+            let products = self
+                .rows
+                .iter()
+                .zip(v)
+                .map(|(row, &v)| i64::from(row[column].to_bits()) * i64::from(v));
+            *turned = ((products.sum::<i64>() + (1 << 29)) >> 30) as i32;
+        }
+        turned
     }
 
     /// The nearest directions at right angles of length one: the first row keeps its direction, the second its plane
@@ -109,8 +115,8 @@ impl Rotation {
 
 /// The scalar product, exactly, if it fits 64 bits. A function that is called.
 #[inline(never)]
-pub(crate) fn dot(a: &[i32; 3], b: &[i64; 3]) -> i64 {
-    a.iter().zip(b).map(|(&a, &b)| i64::from(a) * b).sum()
+pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
+    a.iter().zip(b).map(|(&a, &b)| i64::from(a) * i64::from(b)).sum()
 }
 
 /// The cross product of Q30 vectors of length one.
