@@ -21,7 +21,7 @@ use crate::{
     reference::{ScreenTriangle, ScreenVertex as ReferenceVertex},
 };
 
-/// As many steps as a channel of the pictures that are compared.
+/// Of interpolated light: as many steps as a channel of the pictures that are compared.
 const LEVELS: usize = 256;
 
 /// A picture by the fixed-point core.
@@ -69,7 +69,7 @@ impl Leveled for Unlit<Rgb888> {
     }
 }
 
-impl Leveled for Flat<Rgb888, LEVELS> {
+impl Leveled for Flat<Rgb888> {
     /// From the normal in the table, by the definition.
     fn level(&self, _: [u16; 0], mesh: &Mesh<'_>, index: usize) -> f64 {
         let light = self.light();
@@ -125,7 +125,7 @@ fn by_depth<P: Projection, S: Subpixel, D: Judged>(
 ) -> Result<Drawn, ViewError> {
     let light = View::light();
     match view.shading {
-        Shading::Flat => by_shader::<P, S, D, _>(model, view, camera, Flat::with_levels(light)),
+        Shading::Flat => by_shader::<P, S, D, _>(model, view, camera, Flat::new(light)),
         Shading::Gouraud => by_shader::<P, S, D, _>(model, view, camera, Gouraud::with_levels(light)),
         Shading::Unlit => by_shader::<P, S, D, _>(model, view, camera, Unlit::new()),
     }

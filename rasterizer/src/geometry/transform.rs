@@ -169,6 +169,21 @@ impl<P: Projection> Transform<P> {
         }
     }
 
+    /// A copy.
+    #[inline(always)]
+    pub(crate) const fn by_parts(&self) -> Self {
+        Self {
+            x: self.x,
+            y: self.y,
+            z: self.z,
+            near: self.near,
+            far: self.far,
+            lens: self.lens,
+            center: self.center,
+            size: self.size,
+        }
+    }
+
     /// Whether the object is small enough for the projection's numbers; nothing else can be asked if it isn't.
     pub(crate) fn check(&self) -> Result<(), PoseError> {
         self.lens.is_in_range().then_some(()).ok_or(PoseError)

@@ -20,7 +20,7 @@
 use super::Layout;
 use crate::{
     geometry::Subpixel,
-    numbers::{IS_NARROW, divide_small},
+    numbers::{IS_NARROW, divide, divide_small},
 };
 
 /// An edge on its way down the rows.
@@ -108,18 +108,18 @@ const fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
 /// ⌊`below * remainder / dy`⌋, for factors up to dy < 2^20.
 #[cold]
 #[inline(never)]
-fn scaled(below: i32, remainder: i32, dy: i32) -> i32 {
+const fn scaled(below: i32, remainder: i32, dy: i32) -> i32 {
     if dy < 1 << 15 {
-        return (below as u32 * remainder as u32).checked_div(dy as u32).unwrap_or(0) as i32;
+        return divide(below as u32 * remainder as u32, dy as u32) as i32;
     }
     // Long division, as the product would not fit, by 11 digits of `below` at a time: with
     // below = high 2^11 + low the rest of the first step is below dy, and rest 2^11 + low remainder below 2^32.
     let (high, low) = (below as u32 >> 11, below as u32 & 0x7FF);
     let (remainder, dy) = (remainder as u32, dy as u32);
     let upper = high * remainder;
-    let quotient = upper.checked_div(dy).unwrap_or(0);
+    let quotient = divide(upper, dy);
     let rest = ((upper - quotient * dy) << 11) + low * remainder;
-    ((quotient << 11) + rest.checked_div(dy).unwrap_or(0)) as i32
+    ((quotient << 11) + divide(rest, dy)) as i32
 }
 
 #[cfg(test)]

@@ -311,7 +311,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     };
     // A copy on the stack that anyone might write to: compilers read it from there for each vertex. Else they take its
     // numbers for constants of the loop, spill them, and need a copy of a factor for each multiplication.
-    let mut transform = *transform;
+    let mut transform = transform.by_parts();
     black_box(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         black_box(());

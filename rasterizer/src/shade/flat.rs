@@ -2,9 +2,9 @@
 
 use core::marker::PhantomData;
 
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
-use super::{Light, MeshFace, MeshVertex, Ramp, RequiredTables, Shader, lit::Lit};
+use super::{Light, MeshFace, MeshVertex, RequiredTables, Shader, lit::Lit};
 use crate::{geometry::Pose, mesh::Material};
 
 /// The material's colour, unlit.
@@ -46,20 +46,12 @@ impl<C: PixelColor + From<Rgb888>> Shader for Unlit<C> {
 
 /// The material's colour, lit by the normal of the triangle. Needs [`face_normals`](crate::mesh::Tables::face_normals).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Flat<C, const LEVELS: usize = 64>(Lit<C, LEVELS>);
+pub struct Flat<C>(Lit<C>);
 
 impl<C> Flat<C> {
-    /// Lit by `light`, in 64 levels.
+    /// Lit by `light`.
     #[must_use]
     pub const fn new(light: Light) -> Self {
-        Self::with_levels(light)
-    }
-}
-
-impl<C, const LEVELS: usize> Flat<C, LEVELS> {
-    /// Lit by `light`, in `LEVELS` levels, a power of two.
-    #[must_use]
-    pub const fn with_levels(light: Light) -> Self {
         Self(Lit::by(light))
     }
 
@@ -70,10 +62,10 @@ impl<C, const LEVELS: usize> Flat<C, LEVELS> {
     }
 }
 
-impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Flat<C, LEVELS> {
+impl<C: PixelColor + From<Rgb888>> Shader for Flat<C> {
     type Color = C;
     type Varyings = [u16; 0];
-    type Surface = Ramp<C, LEVELS>;
+    type Surface = Rgb888;
 
     const TABLES: RequiredTables = RequiredTables {
         face_normals: true,
@@ -84,8 +76,9 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Flat<C, LEVEL
         Self(self.0.in_object_space(pose))
     }
 
-    fn surface(&self, material: &Material) -> Self::Surface {
-        Lit::ramp(material)
+    #[inline(always)]
+    fn surface(&self, material: &Material) -> Rgb888 {
+        material.rgb()
     }
 
     #[inline(always)]
@@ -94,12 +87,20 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Flat<C, LEVEL
     }
 
     #[inline(always)]
-    fn face(&self, surface: &Self::Surface, face: &MeshFace<'_>) -> Option<C> {
-        Some(surface.nearest(self.0.light.level(face.normal())))
+    fn face(&self, surface: &Rgb888, face: &MeshFace<'_>) -> Option<C> {
+        Some(darkened(*surface, self.0.light.level(face.normal())))
     }
 
     #[inline(always)]
-    fn pixel(&self, surface: &Self::Surface, []: [fixed::types::U16F16; 0]) -> C {
-        surface.nearest(1 << 16)
+    fn pixel(&self, surface: &Rgb888, []: [fixed::types::U16F16; 0]) -> C {
+        C::from(*surface)
     }
+}
+
+/// A colour at a brightness in Q16, 0 to 65,536, each channel rounded to the nearest. A function of its own: the loop over
+/// triangles needs its registers.
+#[inline(never)]
+fn darkened<C: From<Rgb888>>(color: Rgb888, level: u32) -> C {
+    let channel = |full: u8| ((u32::from(full) * level + (1 << 15)) >> 16) as u8;
+    C::from(Rgb888::new(channel(color.r()), channel(color.g()), channel(color.b())))
 }

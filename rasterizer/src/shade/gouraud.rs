@@ -12,7 +12,7 @@ use crate::{geometry::Pose, mesh::Material};
 /// The level is interpolated linearly on the screen, not in space: over a triangle whose corners' distances from the
 /// camera differ by a factor r, it is off by at most (√r - 1) / (√r + 1) of the difference between the corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Gouraud<C, const LEVELS: usize = 64>(Lit<C, LEVELS>);
+pub struct Gouraud<C, const LEVELS: usize = 64>(Lit<C>);
 
 impl<C> Gouraud<C> {
     /// Lit by `light`, in 64 levels.
@@ -46,7 +46,7 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LE
     }
 
     fn surface(&self, material: &Material) -> Self::Surface {
-        Lit::ramp(material)
+        Ramp::between(Rgb888::new(0, 0, 0), material.rgb())
     }
 
     #[inline(always)]

@@ -56,15 +56,20 @@ impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
 }
 
 impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Ramp<C, LEVELS> {
-    /// From `dark` to `bright` in equal steps, each channel rounded to the nearest.
+    /// From `dark` to `bright` in equal steps, each channel rounded to the nearest; with more than 256 levels within 3/4 of
+    /// its step.
     #[must_use]
     // Inlined it would be in the loop over triangles, which needs the registers.
     #[inline(never)]
     pub fn between(dark: Rgb888, bright: Rgb888) -> Self {
+        // 1 / last in Q24, within 2^-25. A channel is off by 255 last 2^-25 at most, and rounds alike if that is less than
+        // 1 / 2 last: no level is nearer to the middle of two steps, as `last` is odd.
+        let step = const { ((1 << 24) + (LEVELS as i32 - 1) / 2) / (LEVELS as i32 - 1) };
         let channel = |from: u8, to: u8, level: usize| {
-            let (last, level) = (LEVELS as u32 - 1, level as u32);
-            let sum = u32::from(from) * (last - level) + u32::from(to) * level;
-            ((2 * sum + last) / (2 * last)) as u8
+            let way = (i32::from(to) - i32::from(from)) * level as i32;
+            // Products may wrap: the sum is between 0 and 2^32.
+            let sum = (u32::from(from) << 24).wrapping_add(way.wrapping_mul(step) as u32);
+            (sum.wrapping_add(1 << 23) >> 24) as u8
         };
         Self::from_fn(|level| {
             C::from(Rgb888::new(
@@ -102,6 +107,33 @@ mod tests {
         assert_eq!(ramp.nearest(65_536), bright);
         let ramp = Ramp::<Rgb565, 64>::between(Rgb888::BLACK, Rgb888::WHITE);
         assert_eq!(ramp.nearest(65_536), Rgb565::WHITE);
+    }
+
+    #[test]
+    fn channels_are_rounded_to_the_nearest() {
+        fn check<const LEVELS: usize>() {
+            let last = LEVELS as i32 - 1;
+            for from in (0..=255u8).step_by(5) {
+                for to in 0..=255u8 {
+                    let ramp = Ramp::<Rgb888, LEVELS>::between(Rgb888::new(from, 0, 0), Rgb888::new(to, 0, 0));
+                    for (level, color) in ramp.colors.iter().enumerate() {
+                        let level = level as i32;
+                        let sum = i32::from(from) * (last - level) + i32::from(to) * level;
+                        let twice_off = (2 * (i32::from(color.r()) * last - sum)).abs();
+                        let is_near = if LEVELS > 256 {
+                            2 * twice_off < 3 * last
+                        } else {
+                            twice_off < last
+                        };
+                        assert!(is_near, "level {level} of {LEVELS} from {from} to {to}: {}", color.r());
+                    }
+                }
+            }
+        }
+        check::<2>();
+        check::<64>();
+        check::<256>();
+        check::<4096>();
     }
 
     #[test]

@@ -10,7 +10,7 @@ use embedded_graphics_core::{
 };
 
 use super::{DepthBuffer, Frame, FrameError, StoredDepth};
-use crate::geometry::NoDepth;
+use crate::{geometry::NoDepth, numbers::divide};
 
 /// A rectangle of the display in bands of rows, which one after the other are cleared, drawn and sent.
 ///
@@ -57,9 +57,11 @@ impl<M: AsMut<[C]>, C: PixelColor> Bands<M, C, NoDepth> {
 /// How many of an area's rows so many pixels hold; nothing if there is not even one.
 fn whole_rows(pixels: usize, area: &Rectangle) -> Option<u32> {
     let Size { width, height } = area.size;
-    let rows = pixels
-        .checked_div(width as usize)
-        .map_or(height, |rows| rows.min(height as usize) as u32);
+    let rows = if width == 0 {
+        height
+    } else {
+        divide(pixels as u32, width).min(height)
+    };
     (rows > 0 || area.is_zero_sized()).then_some(rows)
 }
 
