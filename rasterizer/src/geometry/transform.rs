@@ -192,7 +192,8 @@ impl<P: Projection> Transform<P> {
     /// A position of the mesh in clip space.
     #[inline(always)]
     pub(crate) fn object_to_clip<V>(&self, position: [i16; 3], varyings: V) -> ClipVertex<V> {
-        let p = position.map(i32::from);
+        let [x, y, z] = position;
+        let p = [i32::from(x), i32::from(y), i32::from(z)];
         ClipVertex {
             x: self.x.apply(p),
             y: self.y.apply(p),

@@ -133,8 +133,11 @@ impl Mul for Rotation {
     type Output = Self;
 
     fn mul(self, first: Self) -> Self {
-        let rows = self.to_bits().map(|row| first.turn_back(&row));
-        Self::from_rows(rows.map(|row| row.map(I2F30::from_bits)))
+        let mut rows = self.rows;
+        for row in &mut rows {
+            *row = first.turn_back(&row.map(I2F30::to_bits)).map(I2F30::from_bits);
+        }
+        Self::from_rows(rows)
     }
 }
 

@@ -52,7 +52,7 @@ impl Edge {
         let mut x = top[0] - half + below * columns;
         let mut rest = below.wrapping_mul(remainder);
         if below >> S::BITS != 0 {
-            let whole = scaled(below, remainder, dy);
+            let whole = scaled::<S>(below, remainder, dy);
             x += whole;
             rest = rest.wrapping_sub(whole.wrapping_mul(dy));
         }
@@ -105,11 +105,11 @@ const fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     }
 }
 
-/// ⌊`below * remainder / dy`⌋, for factors up to dy < 2^20.
+/// ⌊`below * remainder / dy`⌋, for factors up to dy, which in S4 is below 2^15 and in S8 below 2^19.
 #[cold]
 #[inline(never)]
-const fn scaled(below: i32, remainder: i32, dy: i32) -> i32 {
-    if dy < 1 << 15 {
+const fn scaled<S: Subpixel>(below: i32, remainder: i32, dy: i32) -> i32 {
+    if S::BITS <= 4 || dy < 1 << 15 {
         return divide(below as u32 * remainder as u32, dy as u32) as i32;
     }
     // Long division, as the product would not fit, by 11 digits of `below` at a time: with

@@ -88,8 +88,13 @@ impl Light {
 }
 
 /// Q30 x Q30 to Q28.
-const fn factors([x, y, z]: [i32; 3], gain: i32) -> [i32; 3] {
-    [mul_high(x, gain), mul_high(y, gain), mul_high(z, gain)]
+const fn factors(mut toward: [i32; 3], gain: i32) -> [i32; 3] {
+    let mut axis = 0;
+    while axis < 3 {
+        toward[axis] = mul_high(toward[axis], gain);
+        axis += 1;
+    }
+    toward
 }
 
 #[cfg(test)]
