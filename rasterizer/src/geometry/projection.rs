@@ -19,7 +19,7 @@ pub trait Sealed {
     /// The lengths of clip space in one of the world: pixels across at w = 1, and units of z.
     fn magnification(&self, viewport_height: u32) -> [Float; 2];
 
-    /// The near and the far distance in these units.
+    /// The near distance in these units, at least 1, and the far distance, both at most 2^30.
     fn depth_range(&self, units: Units) -> [i32; 2];
 
     /// The units of clip space, as exponents of 2, for an object whose x and y (as multiples of the guard band at
@@ -57,6 +57,9 @@ pub trait Lens: Copy + core::fmt::Debug {
 /// Coordinates stay below 2^30, so that sums and differences of two of them fit.
 const BITS: i32 = 30;
 
+/// What no coordinate reaches.
+const BEYOND: i32 = 1 << BITS;
+
 impl Sealed for Perspective {
     type Lens = PerspectiveLens;
 
@@ -68,7 +71,10 @@ impl Sealed for Perspective {
 
     fn depth_range(&self, units: Units) -> [i32; 2] {
         let PerspectiveLens { down } = self.lens(units);
-        [(1 << 30) >> down.min(31), self.far_per_near().in_units_of(units.z)]
+        [
+            BEYOND >> down.min(30),
+            self.far_per_near().in_units_of(units.z).min(BEYOND),
+        ]
     }
 
     /// w is z, so that all three have the same unit.
@@ -122,7 +128,7 @@ impl Sealed for Orthographic {
     }
 
     fn depth_range(&self, units: Units) -> [i32; 2] {
-        [self.near(), self.far()].map(|d| Float::from_unsigned(d).in_units_of(units.z))
+        [self.near(), self.far()].map(|d| Float::from_unsigned(d).in_units_of(units.z).clamp(1, BEYOND))
     }
 
     /// w = 1 is a whole number of units unless the object is too large, and the far plane can be named in z.

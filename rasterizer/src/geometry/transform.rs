@@ -6,7 +6,7 @@ use super::{
 use crate::{
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Float, IS_NARROW, dot, mul_high, normalised, saturate},
+    numbers::{Float, IS_NARROW, Vec3, mul_high, normalised, saturate},
 };
 
 /// A point in clip space.
@@ -36,9 +36,6 @@ struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
 }
 
 const FRACTION_BITS: u32 = 14;
-
-/// What no coordinate reaches.
-const BEYOND: i32 = 1 << 30;
 
 impl<const PARTS: usize> Row<PARTS> {
     /// The row's terms in units of 2^`unit`.
@@ -92,12 +89,12 @@ impl Terms {
     ///
     /// Like the rest of what makes a matrix, it is called rather than inlined: for each of three rows, once a frame.
     #[inline(never)]
-    fn new(axis: &[i32; 3], magnification: Float, eye: &[i32; 3], pose: &Pose, tables: &Tables<'_>) -> Self {
-        // All scalar products are Q30 x Q16: below 2^62, as an axis has length one.
+    fn new(axis: &[i32; 3], magnification: Float, eye: &Vec3, pose: &Pose, tables: &Tables<'_>) -> Self {
+        // Below 2^62 each, as an axis has length one.
         let direction = pose.rotation.turn_back(axis);
         let scale = Float::from_unsigned(pose.scale);
-        let offset = Float::new(dot(&direction, &tables.offset.to_bits()), -46).times(scale);
-        let way = dot(axis, &pose.translation.to_bits()) - dot(axis, eye);
+        let offset = Float::new(tables.offset.along(&direction), -46).times(scale);
+        let way = pose.translation.along(axis) - eye.along(axis);
         let mut reach = scale.times(Float::from_scale(tables.scale)).times(magnification);
         // Of 2^15 quanta, by a factor in Q30.
         reach.exponent += 15;
@@ -150,7 +147,7 @@ impl<P: Projection> Transform<P> {
         // Guard bands for a world unit at w = 1, and units of z.
         let [mut across, deep] = projection.magnification(viewport.size.height);
         across.exponent -= GUARD_BITS as i32;
-        let eye = camera.eye().to_bits();
+        let eye = camera.eye();
         let terms = |axis: usize, magnification| Terms::new(&camera.axes()[axis], magnification, &eye, pose, tables);
         let (x, y, z) = (terms(0, across), terms(1, across), terms(2, deep));
 
@@ -161,8 +158,8 @@ impl<P: Projection> Transform<P> {
             x: Row::new(&x, units.xy),
             y: Row::new(&y, units.xy),
             z: Row::new(&z, units.z),
-            near: near.clamp(1, BEYOND),
-            far: far.min(BEYOND),
+            near,
+            far,
             lens: projection.lens(units),
             center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
             size: [size.width, size.height],
@@ -286,7 +283,7 @@ mod tests {
         camera::{Orthographic, Perspective},
         geometry::{S4, S8},
         mesh::{Bounds, Triangles},
-        numbers::{Angle, Rotation, Scale, Vec3},
+        numbers::{Angle, Rotation, Scale},
     };
 
     const VIEWPORT: embedded_graphics_core::primitives::Rectangle =

@@ -31,6 +31,6 @@ pub(crate) use narrow::{
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;
 pub use rotation::Rotation;
-pub(crate) use rotation::{cross, dot};
+pub(crate) use rotation::cross;
 pub use scale::Scale;
 pub use vector::{Scalar, Vec3};

@@ -76,7 +76,7 @@ impl Rotation {
     #[must_use]
     pub fn apply(&self, v: Vec3) -> Vec3 {
         Vec3::from_bits(self.to_bits().map(|row| {
-            let sum = (dot(&row, &v.to_bits()) + (1 << 29)) >> 30;
+            let sum = (v.along(&row) + (1 << 29)) >> 30;
             sum.clamp(i64::from(i32::MIN), i64::from(i32::MAX)) as i32
         }))
     }
@@ -113,12 +113,6 @@ impl Rotation {
     }
 }
 
-/// The scalar product, exactly, if it fits 64 bits. A function that is called.
-#[inline(never)]
-pub(crate) fn dot(a: &[i32; 3], b: &[i32; 3]) -> i64 {
-    a.iter().zip(b).map(|(&a, &b)| i64::from(a) * i64::from(b)).sum()
-}
-
 /// The cross product of Q30 vectors of length one.
 pub(crate) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     core::array::from_fn(|i| {
@@ -151,6 +145,13 @@ impl Mul<Vec3> for Rotation {
 }
 
 impl Vec3 {
+    /// The scalar product with a direction in Q30, exactly, in Q46. A function that is called.
+    #[inline(never)]
+    pub(crate) fn along(&self, direction: &[i32; 3]) -> i64 {
+        let products = self.to_bits().into_iter().zip(direction);
+        products.map(|(c, &d)| i64::from(c) * i64::from(d)).sum()
+    }
+
     /// The direction of this vector with length one, or nothing for the zero vector. Within 2<sup>-16</sup>.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
