@@ -4,6 +4,8 @@ use core::ops::{Add, Neg, Sub};
 
 use fixed::types::I2F30;
 
+use super::mul_q30;
+
 /// An angle in turns: Q0.32, so that it wraps round by itself. 2<sup>32</sup> steps make a turn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Angle(u32);
@@ -99,14 +101,14 @@ const fn sine(turns: u32) -> i32 {
     } else {
         half_turns
     };
-    let square = multiply(x, x);
+    let square = mul_q30(x, x);
     let mut sum = SINE[5];
     let mut term = 5;
     while term > 0 {
         term -= 1;
-        sum = multiply(sum, square) + SINE[term];
+        sum = mul_q30(sum, square) + SINE[term];
     }
-    let sine = multiply(sum, x);
+    let sine = mul_q30(sum, x);
     if sine > 1 << 30 {
         1 << 30
     } else if sine < -(1 << 30) {
@@ -114,12 +116,6 @@ const fn sine(turns: u32) -> i32 {
     } else {
         sine
     }
-}
-
-/// A product of Q30 numbers, rounded. No pixel waits for a sine: seven calls are smaller than seven long products.
-#[inline(never)]
-const fn multiply(a: i32, b: i32) -> i32 {
-    ((a as i64 * b as i64 + (1 << 29)) >> 30) as i32
 }
 
 #[cfg(test)]

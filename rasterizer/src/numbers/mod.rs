@@ -25,8 +25,8 @@ pub use angle::Angle;
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use narrow::{
-    HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high, mul_high_unsigned, normalised,
-    saturate,
+    HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high, mul_high_unsigned, mul_q30,
+    normalised, saturate,
 };
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;

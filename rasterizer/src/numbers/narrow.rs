@@ -25,6 +25,13 @@ pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
     }
 }
 
+/// The product with a number in Q30, rounded. A function that is called, for what is worked out once a frame: angles and
+/// lights.
+#[inline(never)]
+pub(crate) const fn mul_q30(a: i32, b: i32) -> i32 {
+    ((a as i64 * b as i64 + (1 << 29)) >> 30) as i32
+}
+
 /// The leading zeros of a number.
 #[inline(always)]
 pub(crate) const fn leading_zeros(value: u32) -> u32 {

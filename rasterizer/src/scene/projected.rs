@@ -52,7 +52,7 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V,
             transform: Transform::new(camera, &object.pose, tables),
             vertices,
             is_hidden: false,
-            viewport: Window::new(&camera.viewport()),
+            viewport: camera_window(&camera.viewport()),
             choices: PhantomData,
         };
         seen.is_hidden = L::CUTS && seen.transform.hides(&object.mesh.bounds().cuboid);
@@ -292,6 +292,17 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             // There are as many places as `clip` has.
             let _ = corners.push(self.transform.clip_to_screen(vertex));
         });
+    }
+}
+
+/// The pixels of a camera's viewport, which is nowhere near the ends of `i32`.
+const fn camera_window(viewport: &Rectangle) -> Window {
+    let (corner, size) = (viewport.top_left, viewport.size);
+    Window {
+        left: corner.x,
+        top: corner.y,
+        right: corner.x + size.width as i32,
+        bottom: corner.y + size.height as i32,
     }
 }
 

@@ -4,7 +4,7 @@ use fixed::types::U1F15;
 
 use crate::{
     geometry::Pose,
-    numbers::{Vec3, mul_high, unit},
+    numbers::{Vec3, mul_q30, unit},
 };
 
 /// A brightness: Q1.15, where 1 is full.
@@ -21,7 +21,7 @@ pub struct Light {
     factors: [i32; 3],
     ambient: Level,
     diffuse: Level,
-    /// `diffuse` / 127 in Q30, rounded down. Here, so that no object divides.
+    /// `diffuse` / 127 in Q28, rounded down. Here, so that no object divides.
     gain: i32,
 }
 
@@ -34,7 +34,7 @@ impl Light {
             Some(toward) => toward,
             None => [0; 3],
         };
-        let gain = (((diffuse.to_bits() as u32) << 15) / 127) as i32;
+        let gain = (((diffuse.to_bits() as u32) << 13) / 127) as i32;
         Self {
             toward,
             factors: factors(toward, gain),
@@ -87,11 +87,11 @@ impl Light {
     }
 }
 
-/// Q30 x Q30 to Q28.
+/// Q30 x Q28 to Q28.
 const fn factors(mut toward: [i32; 3], gain: i32) -> [i32; 3] {
     let mut axis = 0;
     while axis < 3 {
-        toward[axis] = mul_high(toward[axis], gain);
+        toward[axis] = mul_q30(gain, toward[axis]);
         axis += 1;
     }
     toward
