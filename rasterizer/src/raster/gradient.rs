@@ -174,13 +174,14 @@ impl<S: Subpixel> TriangleSetup<S> {
     #[inline(always)]
     pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64, width: i32) -> Self {
         let half = 1 << (S::BITS - 1);
+        let to_center = |c: i32| half - (c & (2 * half - 1));
         Self {
             dx: [b[0] - a[0], c[0] - a[0]],
             dy: [b[1] - a[1], c[1] - a[1]],
             is_positive,
             area,
             // The centre of the pixel that holds the first corner.
-            to_anchor: a.map(|c| half - (c & (2 * half - 1))),
+            to_anchor: [to_center(a[0]), to_center(a[1])],
             quick: Quick::new::<S>(area, is_positive, (width | (c[1] - a[1])) as u32),
             precision: PhantomData,
         }

@@ -97,7 +97,7 @@ where
             self.area,
             right - left,
         );
-        let [anchor_column, anchor_row] = at(top).map(|c| c >> S::BITS);
+        let (anchor_column, anchor_row) = (top.x >> S::BITS, top.y >> S::BITS);
         // From the anchor to the pixel at address 0 of the display's first row.
         let to_first = [layout.origin - anchor_column, -anchor_row];
         // What is used once a row stays in memory, from where it is worked out: compilers would rather keep it in registers

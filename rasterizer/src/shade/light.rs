@@ -60,10 +60,10 @@ impl Light {
     #[inline(always)]
     #[must_use]
     pub fn level(&self, normal: [i8; 3]) -> u32 {
-        let [x, y, z] = normal.map(i32::from);
+        let [x, y, z] = normal;
         let [lx, ly, lz] = self.factors;
         // Both are below 2 and so below 2^29, even for normals that rounding made 1 % longer.
-        let direct = (x * lx + y * ly + z * lz).max(0) as u32;
+        let direct = (i32::from(x) * lx + i32::from(y) * ly + i32::from(z) * lz).max(0) as u32;
         let level = (u32::from(self.ambient.to_bits()) << 13) + direct;
         level.min(1 << 28) >> 12
     }
