@@ -38,14 +38,14 @@ const PLANES: [Plane; 6] = [
 ];
 
 impl Plane {
-    /// How far inside the plane a vertex lies, in some unit; negative outside.
+    /// How far inside the plane a vertex lies, in some unit; negative outside. No coordinate reaches 2^30.
     #[inline(never)]
-    fn distance<P: Projection, V>(self, vertex: &ClipVertex<V>, transform: &Transform<P>) -> i64 {
-        let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(i64::from);
-        let w = i64::from(transform.lens.w(vertex.z));
+    fn distance<P: Projection, V>(self, vertex: &ClipVertex<V>, transform: &Transform<P>) -> i32 {
+        let ClipVertex { x, y, z, .. } = *vertex;
+        let w = transform.lens.w(z);
         match self {
-            Self::Near => z - i64::from(transform.near),
-            Self::Far => i64::from(transform.far) - z,
+            Self::Near => z - transform.near,
+            Self::Far => transform.far - z,
             Self::Left => w + x,
             Self::Right => w - x,
             Self::Top => w + y,
@@ -111,12 +111,12 @@ pub(crate) fn clip<P: Projection, V: Varyings>(
 fn crossing<V: Varyings>(
     inside: &ClipVertex<V>,
     outside: &ClipVertex<V>,
-    inside_distance: i64,
-    outside_distance: i64,
+    inside_distance: i32,
+    outside_distance: i32,
 ) -> ClipVertex<V> {
-    // Coordinates are below 2^30: distances below 2^31, the shifted dividend below 2^61, and t at most 2^30.
-    let length = (inside_distance - outside_distance) as u64;
-    let (t, _) = Divisor::new(length).divide(inside_distance << 30);
+    // Distances are below 2^31: the shifted dividend is below 2^61, and t at most 2^30.
+    let length = inside_distance.abs_diff(outside_distance);
+    let (t, _) = Divisor::new(length.into()).divide(i64::from(inside_distance) << 30);
     let t = t as u32;
     let between = |a: i32, b: i32| lerp(i64::from(a), i64::from(b), t) as i32;
     ClipVertex {

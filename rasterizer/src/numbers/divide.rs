@@ -1,14 +1,15 @@
-//! Exact division of 64-bit numbers by one divisor, again and again, without a 64-bit division routine.
+//! Exact division of 64-bit numbers, without a 64-bit division routine.
 //!
-//! Both steps are called rather than inlined, with 64-bit arithmetic at several places of every scene: they are for
-//! clipping, slivers and 32-bit depth.
+//! It is called rather than inlined, with 64-bit arithmetic at several places of every scene: it is for clipping, slivers
+//! and 32-bit depth.
 
-use super::reciprocal::Reciprocal;
+use super::{narrow::IS_NARROW, reciprocal::Reciprocal};
 
-/// A positive divisor with its reciprocal.
+/// A positive divisor.
 ///
-/// Each step takes off what the reciprocal of the divisor's upper 32 bits says and keeps the exact remainder, as in long
-/// division with digits of 26 bits.
+/// Where there is a long multiply, with its reciprocal: each step takes off what the reciprocal of the divisor's upper 32
+/// bits says and keeps the exact remainder, as in long division with digits of 26 bits. Elsewhere a step takes off one bit:
+/// as fast for quotients of 20 bits, and 500 bytes less.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Divisor {
     value: u64,
@@ -19,8 +20,21 @@ pub(crate) struct Divisor {
 
 impl Divisor {
     /// A divisor; 0 is taken as 1.
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) const fn new(value: u64) -> Self {
+        if IS_NARROW {
+            Self {
+                value: if value == 0 { 1 } else { value },
+                leading_zeros: 0,
+                mantissa: 0,
+            }
+        } else {
+            Self::with_reciprocal(value)
+        }
+    }
+
+    #[inline(never)]
+    const fn with_reciprocal(value: u64) -> Self {
         let value = if value == 0 { 1 } else { value };
         let leading_zeros = value.leading_zeros();
         let upper = ((value << leading_zeros) >> 32) as u32;
@@ -35,9 +49,25 @@ impl Divisor {
 
     /// ⌊`dividend` / divisor⌋ and the remainder, for a dividend below 2<sup>62</sup> in magnitude.
     #[inline(never)]
-    pub(crate) const fn divide(self, dividend: i64) -> (i64, i64) {
-        let mut rest = dividend.unsigned_abs();
-        let mut quotient = 0;
+    pub(crate) const fn divide(&self, dividend: i64) -> (i64, i64) {
+        let (quotient, rest) = if IS_NARROW {
+            self.by_bits(dividend.unsigned_abs())
+        } else {
+            self.by_digits(dividend.unsigned_abs())
+        };
+        let (quotient, rest) = (quotient as i64, rest as i64);
+        if dividend >= 0 {
+            (quotient, rest)
+        } else if rest == 0 {
+            (-quotient, 0)
+        } else {
+            (-quotient - 1, self.value as i64 - rest)
+        }
+    }
+
+    #[inline(always)]
+    const fn by_digits(&self, dividend: u64) -> (u64, u64) {
+        let (mut rest, mut quotient) = (dividend, 0);
         while rest >= self.value {
             let zeros = rest.leading_zeros();
             let upper = (rest << zeros) >> 32;
@@ -47,14 +77,26 @@ impl Divisor {
             quotient += digit;
             rest -= digit * self.value;
         }
-        let (quotient, rest) = (quotient as i64, rest as i64);
-        if dividend >= 0 {
-            (quotient, rest)
-        } else if rest == 0 {
-            (-quotient, 0)
-        } else {
-            (-quotient - 1, self.value as i64 - rest)
+        (quotient, rest)
+    }
+
+    #[inline(always)]
+    const fn by_bits(&self, dividend: u64) -> (u64, u64) {
+        let (mut divisor, mut bit) = (self.value, 1);
+        while divisor <= dividend >> 1 {
+            divisor <<= 1;
+            bit <<= 1;
         }
+        let (mut rest, mut quotient) = (dividend, 0);
+        while bit != 0 {
+            let (less, is_below) = rest.overflowing_sub(divisor);
+            if !is_below {
+                (rest, quotient) = (less, quotient | bit);
+            }
+            divisor >>= 1;
+            bit >>= 1;
+        }
+        (quotient, rest)
     }
 }
 
@@ -74,6 +116,8 @@ mod tests {
         let check = |n: i64, d: u64| {
             let want = (n.div_euclid(d as i64), n.rem_euclid(d as i64));
             assert_eq!(Divisor::new(d).divide(n), want, "{n} / {d}");
+            let (n, d) = (n.unsigned_abs(), Divisor::new(d));
+            assert_eq!(d.by_bits(n), d.by_digits(n), "{n} / {d:?}");
         };
         let limit = (1i64 << 62) - 1;
         for d in [1, 2, 3, 0xFFFF_FFFF, 1 << 32, (1 << 32) + 1, (1 << 62) - 1, 1 << 62] {

@@ -193,11 +193,24 @@ impl<S: Subpixel> TriangleSetup<S> {
     #[inline(never)]
     fn exact_plane(self, a: u16, b: u16, c: u16) -> Plane<u32> {
         let divisor = Divisor::new(self.area.unsigned_abs());
-        let gradient = |numerator: i64| divisor.divide(numerator << (16 + S::BITS)).0;
-        let [x, y] = self.numerators([a, b, c].map(i64::from)).map(gradient);
-        let anchor = self.anchor((i64::from(a) << 16) + (1 << 15), x, y);
+        let gradient = |[p, q]: [i32; 2], [r, s]: [i32; 2]| {
+            let numerator = if S::BITS <= 4 {
+                // At most 2^16 times the guard band: products may wrap, their difference does not.
+                i64::from(p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s)))
+            } else {
+                i64::from(p) * i64::from(q) - i64::from(r) * i64::from(s)
+            };
+            let numerator = if self.is_positive { numerator } else { -numerator };
+            divisor.divide(numerator << (16 + S::BITS)).0
+        };
+        let start = i32::from(a);
+        let (d1, d2) = (i32::from(b) - start, i32::from(c) - start);
+        let ([dx1, dx2], [dy1, dy2]) = (self.dx, self.dy);
+        let (x, y) = (gradient([d1, dy2], [d2, dy1]), gradient([d2, dx1], [d1, dx2]));
+        let [to_x, to_y] = self.to_anchor;
+        let part = |gradient: i64, to: i32| ((gradient >> S::BITS) as i32).wrapping_mul(to) as u32;
         Plane {
-            anchor: anchor as u32,
+            anchor: middle_of(a).wrapping_add(part(x, to_x)).wrapping_add(part(y, to_y)),
             per_column: x as u32,
             per_row: y as u32,
         }
@@ -238,8 +251,8 @@ impl<S: Subpixel> TriangleSetup<S> {
     /// The plane of an attribute of 16 bits by the reciprocal.
     #[inline(always)]
     fn quick_plane(&self, quick: &Quick, [a, b, c]: [u16; 3]) -> Plane<u32> {
-        let a = i32::from(a);
-        let (d1, d2) = (i32::from(b) - a, i32::from(c) - a);
+        let start = i32::from(a);
+        let (d1, d2) = (i32::from(b) - start, i32::from(c) - start);
         let [dx1, dx2] = self.dx;
         let [dy1, dy2] = self.dy;
         // Products may wrap, their difference does not.
@@ -251,13 +264,17 @@ impl<S: Subpixel> TriangleSetup<S> {
         let [to_x, to_y] = self.to_anchor;
         let to_anchor = (x >> S::BITS) * to_x + (y >> S::BITS) * to_y;
         Plane {
-            anchor: ((a as u32) << 16)
-                .wrapping_add(1 << 15)
-                .wrapping_add((to_anchor << left) as u32),
+            anchor: middle_of(a).wrapping_add((to_anchor << left) as u32),
             per_column: (x << left) as u32,
             per_row: (y << left) as u32,
         }
     }
+}
+
+/// An attribute of 16 bits and a half, in Q16.
+#[inline(always)]
+const fn middle_of(a: u16) -> u32 {
+    ((a as u32) << 16) + (1 << 15)
 }
 
 impl Quick {
