@@ -15,7 +15,7 @@ use crate::{
         ClipAll, ClipVertex, Clipping, CullBack, Culling, DepthFormat, MAX_CORNERS, PoseError, Projection,
         ScreenVertex, Subpixel, Transform, clip,
     },
-    mesh::Tables,
+    mesh::{Material, Tables},
     raster::{Triangle, Window, first_center, signed_area},
     shade::{MeshFace, MeshVertex, Shader},
     target::Target,
@@ -153,7 +153,10 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             // Worked out when the first triangle needs it: in a band most materials are not seen.
             let mut surface = None;
             self.for_each_visible(chosen(first..end), rows, &mut lookup, |index, corners, area| {
-                let surface = &*surface.get_or_insert_with(|| self.shader.surface(material));
+                if surface.is_none() {
+                    self.prepare(material, &mut surface);
+                }
+                let Some(surface) = &surface else { return Ok(()) };
                 let triangle = Triangle::new(corners, area);
                 match self.shader.face(surface, &MeshFace::new(self.tables, index)) {
                     Some(color) => target.fill(triangle, &window, color),
@@ -163,6 +166,12 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             first = end;
         }
         Ok(())
+    }
+
+    /// Makes a surface. A function of its own: on its way to where it stays it takes its size of stack, once or twice.
+    #[inline(never)]
+    fn prepare(&self, material: &Material, surface: &mut Option<Sh::Surface>) {
+        *surface = Some(self.shader.surface(material));
     }
 
     /// Visits the triangles that [`draw`](Self::draw) draws, in its order: those that are left of the mesh's after

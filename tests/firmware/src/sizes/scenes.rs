@@ -297,34 +297,55 @@ impl Scene for Everything {
 
     fn draw(memory: &mut Store, display: &mut Display) -> Option<()> {
         for_each_view(|view| {
-            let sphere = Object::new(&SPHERE, Gouraud::new(LIGHT)).posed(view.pose());
-            let cube = Object::new(&CUBE, Flat::new(LIGHT)).posed(view.pose().at(Vec3::X));
-            let ball = Object::new(&BALL, Unlit::new()).culled(CullNone);
-            let bare = Object::new(&CUBE, Unlit::new()).posed(view.pose());
-
-            let eye = camera(view, PERSPECTIVE, PICTURE)?;
-            let smooth = sphere.project(&eye, &mut memory.smooth).ok()?;
-            let faceted = cube.project(&eye, &mut memory.faceted).ok()?;
-            let plain = ball.project(&eye, &mut memory.plain).ok()?;
-            for rows in BandAreas::new(PICTURE, ROWS) {
-                let mut band = Frame::new(&mut memory.color, &mut memory.near, rows).ok()?;
-                band.clear(Rgb565::BLACK);
-                let (Ok(()), Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band), plain.draw(&mut band));
-                let Ok(()) = band.present(display);
-            }
-            memory.convex.draw_without_depth(&cube, &eye, display)?;
-            memory.convex.draw_directly(&bare, &eye, display)?;
-
-            let eye = camera(view, ORTHOGRAPHIC, PICTURE)?;
-            let smooth = sphere.project(&eye, &mut memory.smooth_wide).ok()?;
-            let faceted = cube.culled(CullNone).project(&eye, &mut memory.faceted_wide).ok()?;
-            for rows in BandAreas::new(PICTURE, ROWS) {
-                let mut band = Frame::new(&mut memory.color, &mut memory.wide, rows).ok()?;
-                band.clear(Rgb565::BLACK);
-                let (Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band));
-                let Ok(()) = band.present(display);
-            }
-            Some(())
+            memory.draw_in_perspective(view, display)?;
+            memory.draw_convex(view, display)?;
+            memory.draw_in_parallel(view, display)
         })
+    }
+}
+
+/// Each picture in a function of its own, whose stack ends with it.
+impl Store {
+    #[inline(never)]
+    fn draw_in_perspective(&mut self, view: &View, display: &mut Display) -> Option<()> {
+        let eye = camera(view, PERSPECTIVE, PICTURE)?;
+        let sphere = Object::new(&SPHERE, Gouraud::new(LIGHT)).posed(view.pose());
+        let smooth = sphere.project(&eye, &mut self.smooth).ok()?;
+        let cube = Object::new(&CUBE, Flat::new(LIGHT)).posed(view.pose().at(Vec3::X));
+        let faceted = cube.project(&eye, &mut self.faceted).ok()?;
+        let ball = Object::new(&BALL, Unlit::new()).culled(CullNone);
+        let plain = ball.project(&eye, &mut self.plain).ok()?;
+        for rows in BandAreas::new(PICTURE, ROWS) {
+            let mut band = Frame::new(&mut self.color, &mut self.near, rows).ok()?;
+            band.clear(Rgb565::BLACK);
+            let (Ok(()), Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band), plain.draw(&mut band));
+            let Ok(()) = band.present(display);
+        }
+        Some(())
+    }
+
+    #[inline(never)]
+    fn draw_convex(&mut self, view: &View, display: &mut Display) -> Option<()> {
+        let eye = camera(view, PERSPECTIVE, PICTURE)?;
+        let lit = Object::new(&CUBE, Flat::new(LIGHT)).posed(view.pose().at(Vec3::X));
+        self.convex.draw_without_depth(&lit, &eye, display)?;
+        let bare = Object::new(&CUBE, Unlit::new()).posed(view.pose());
+        self.convex.draw_directly(&bare, &eye, display)
+    }
+
+    #[inline(never)]
+    fn draw_in_parallel(&mut self, view: &View, display: &mut Display) -> Option<()> {
+        let eye = camera(view, ORTHOGRAPHIC, PICTURE)?;
+        let sphere = Object::new(&SPHERE, Gouraud::new(LIGHT)).posed(view.pose());
+        let smooth = sphere.project(&eye, &mut self.smooth_wide).ok()?;
+        let cube = Object::new(&CUBE, Flat::new(LIGHT)).posed(view.pose().at(Vec3::X));
+        let faceted = cube.culled(CullNone).project(&eye, &mut self.faceted_wide).ok()?;
+        for rows in BandAreas::new(PICTURE, ROWS) {
+            let mut band = Frame::new(&mut self.color, &mut self.wide, rows).ok()?;
+            band.clear(Rgb565::BLACK);
+            let (Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band));
+            let Ok(()) = band.present(display);
+        }
+        Some(())
     }
 }
