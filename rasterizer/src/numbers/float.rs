@@ -92,7 +92,7 @@ impl Float {
     #[inline(never)]
     pub(crate) const fn in_units_of(self, exponent: i32) -> i32 {
         let shift = self.exponent - exponent;
-        if shift < -31 {
+        if self.mantissa == 0 || shift < -31 {
             0
         } else if shift < 0 {
             let twice = self.mantissa >> (-shift - 1);
@@ -154,6 +154,7 @@ mod tests {
         assert_eq!(x.in_units_of(-40), i32::MIN);
         assert_eq!(Float::new(1, 0).in_units_of(-40), i32::MAX);
         assert_eq!(Float::ZERO.in_units_of(-40), 0);
+        assert_eq!(Float::ZERO.in_units_of(-200_000), 0);
         assert_eq!(Float::new(1, -100).in_units_of(0), 0);
         assert_eq!(x.magnitude(), 2);
     }
