@@ -140,10 +140,10 @@ fn fill_words(words: &mut [u32], value: u32) {
     }
 }
 
-/// Sets all pixels to a colour, in a function of its own for what is done once a frame.
+/// Sets all pixels, in a function of its own for what is done once a frame.
 #[inline(never)]
-pub(super) fn fill_all<C, F: Fill<C>>(pixels: &mut [C], color: C) {
-    F::new(color).run(pixels);
+pub(super) fn fill_all<C, F: Fill<C>>(fill: F, pixels: &mut [C]) {
+    fill.run(pixels);
 }
 
 #[cfg(test)]

@@ -135,7 +135,7 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
 impl<C: StoredColor, B: DepthBuffer> Frame<'_, C, B> {
     /// Sets all pixels to one colour and their depth to the far end.
     pub fn clear(&mut self, color: C) {
-        fill_all::<C, C::Fill>(self.color, color);
+        fill_all(C::Fill::new(color), self.color);
         self.clear_depth();
     }
 
