@@ -143,7 +143,7 @@
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), [`ClipNone`](geometry::ClipNone) where nothing reaches beyond |
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), or [your own](shade::Shader) |
-//! | order of a pixel's bytes | the shader's colour type | [`Rgb565Be`](target::Rgb565Be) as SPI takes them, any other |
+//! | order of a pixel's bytes | the shader's colour type | [`Rgb565Be`](target::Rgb565Be) as SPI takes them and filled by words, [any other](target::StoredColor) |
 //! | vertices kept or not | how the object is seen | [`Object::project`](scene::Object::project), [`Object::walk`](scene::Object::walk) |
 //! | triangles sorted into bands or not | a step in between | [`Projected::binned`](scene::Projected::binned) |
 //! | destination | the target's type | [`Frame`](target::Frame), [`Bands`](target::Bands) of it, [`Direct`](target::Direct) |

@@ -1,16 +1,13 @@
 //! Colour and depth of a picture, drawn by any shader into a frame of any part of the display.
 
-use embedded_graphics::{
-    pixelcolor::PixelColor,
-    primitives::{PointsIter, Rectangle},
-};
+use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rasterizer::{
     camera::Camera,
     geometry::{Projection, S8, ScreenVertex},
     mesh::Mesh,
     scene::Object,
     shade::Shader,
-    target::{Frame, StoredDepth},
+    target::{Frame, StoredColor, StoredDepth},
 };
 
 /// The pixels of a part of the display and their stored depth, row by row.
@@ -24,7 +21,7 @@ pub struct Picture<C, D> {
     pub depth: Vec<D>,
 }
 
-impl<C: PixelColor, D: StoredDepth> Picture<C, D> {
+impl<C: StoredColor, D: StoredDepth> Picture<C, D> {
     /// Nothing but background.
     #[must_use]
     pub fn empty(area: Rectangle, background: C) -> Self {

@@ -14,7 +14,7 @@ use rasterizer::{
     numbers::{Angle, Rotation, Scalar, Vec3},
     scene::{Needs, Object, bin_words},
     shade::{Flat, Gouraud, Shader, Unlit},
-    target::{BandAreas, Bands, FrameError, Rgb565Be, StreamError},
+    target::{BandAreas, Bands, Frame, FrameError, Rgb565Be, StoredColor, StreamError},
 };
 use rasterizer_tests::{
     BusError, Call, Picture, Random, Recorder, Surface, area,
@@ -377,6 +377,34 @@ fn streams_end_with_what_fails() {
     assert_eq!(stream(5, [610, 610, 610, 426, 0]), (short(427), 4));
     let told: StreamError<Infallible> = StreamError::Frame(FrameError::ColorLength { needed: 427 });
     assert_eq!(told.to_string(), "the colour buffer must have 427 pixels");
+}
+
+/// A ball in two colours without depth, in memory that starts at either half of a word.
+fn filled<C: StoredColor + From<Rgb888> + From<Rgb565>>(skipped: usize) -> Vec<C> {
+    let ball = ball();
+    let mesh = Mesh::new(Tables {
+        materials: &MATERIALS,
+        ..*ball.mesh().tables()
+    })
+    .unwrap();
+    let background = C::from(Rgb565::new(1, 2, 3));
+    let pixels = (DISPLAY.size.width * DISPLAY.size.height) as usize;
+    let mut memory = vec![background; skipped + pixels];
+    let mut frame = Frame::without_depth(&mut memory[skipped..], DISPLAY).unwrap();
+    frame.clear(C::from(Rgb565::new(4, 5, 6)));
+    let mut vertices = vec![ScreenVertex::<S8, _, _>::EMPTY; mesh.vertex_count()];
+    let drawn = Object::new(&mesh, Unlit::new()).draw(&at("1.7", DISPLAY), &mut vertices, &mut frame);
+    assert_eq!(drawn, Ok(()));
+    memory
+}
+
+/// Runs of one colour are the same whether they are filled by pixels or by words.
+#[test]
+fn big_endian_runs_are_rgb565_swapped() {
+    for skipped in 0..2 {
+        let native: Vec<Rgb565Be> = filled::<Rgb565>(skipped).into_iter().map(Rgb565Be::from).collect();
+        assert!(filled::<Rgb565Be>(skipped) == native);
+    }
 }
 
 /// The same values as RGB565 with their bytes exchanged, in every shader.

@@ -13,7 +13,7 @@ use rasterizer::{
     numbers::{Angle, Rotation, Vec3},
     scene::{DrawError, Object},
     shade::{Gouraud, Level, Light, Shader, Unlit},
-    target::{Direct, Frame, FrameError},
+    target::{Direct, Frame, FrameError, StoredColor},
 };
 use rasterizer_tests::{BusError, Call, Picture, Recorder, Surface, area, bands::Position};
 
@@ -301,7 +301,7 @@ fn spans_are_runs() {
 }
 
 /// The picture in a colour type is the one of 24 bits, converted: a surface's colours are worked out before that.
-fn draws_in<C: PixelColor + From<Rgb888> + std::fmt::Debug>(background: C) {
+fn draws_in<C: StoredColor + From<Rgb888> + std::fmt::Debug>(background: C) {
     let ball = ball();
     let mesh = ball.mesh();
     let convert = |&color: &Rgb888| if color == BACKGROUND { background } else { color.into() };

@@ -9,7 +9,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use super::{DepthBuffer, Frame, FrameError, StoredDepth};
+use super::{DepthBuffer, Frame, FrameError, StoredColor, StoredDepth};
 use crate::{geometry::NoDepth, numbers::divide};
 
 /// A rectangle of the display in bands of rows, which one after the other are cleared, drawn and sent.
@@ -80,7 +80,9 @@ impl<M: AsMut<[C]>, C: PixelColor, B: DepthBuffer + Default> Bands<M, C, B> {
     pub const fn areas(&self) -> BandAreas {
         self.areas
     }
+}
 
+impl<M: AsMut<[C]>, C: StoredColor, B: DepthBuffer + Default> Bands<M, C, B> {
     /// Draws all bands and sends each to the display before the next is drawn. `draw` gets each band as a frame in the
     /// background's colour; what can fail about an object has been done before, by `project` or `walk`.
     ///

@@ -1,15 +1,18 @@
 //! Pixels as a display's bus takes them.
 
-use bytemuck::NoUninit;
+use bytemuck::{Pod, Zeroable};
 use embedded_graphics_core::pixelcolor::{
     IntoStorage, PixelColor, Rgb565, Rgb888,
     raw::{RawData, RawU16},
 };
 
+use super::{StoredColor, WordFill};
+
 /// RGB565 with its more significant byte first, the order in which SPI displays take it: a band of these goes to a DMA
 /// channel as it lies in memory.
 ///
-/// Shaders work their colours out once for a material, so that a pixel costs the same in this order as in any other.
+/// Shaders work their colours out once for a material, so that a pixel costs the same in this order as in any other. As
+/// plain data it is filled by words: runs of one colour cost less than with [`Rgb565`].
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
@@ -18,11 +21,14 @@ use embedded_graphics_core::pixelcolor::{
 /// let pixels = [Rgb565::RED, Rgb565::BLUE].map(Rgb565Be::from);
 /// assert_eq!(Rgb565Be::as_bytes(&pixels), [0xF8, 0x00, 0x00, 0x1F]);
 /// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, NoUninit)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Pod, Zeroable)]
 #[repr(transparent)]
 pub struct Rgb565Be(u16);
 
 impl Rgb565Be {
+    /// No light at all, with no bit set: memory in a static that starts with it takes no flash.
+    pub const BLACK: Self = Self(0);
+
     /// The bytes of pixels, two for each, without a copy.
     #[must_use]
     pub const fn as_bytes(pixels: &[Self]) -> &[u8] {
@@ -32,6 +38,10 @@ impl Rgb565Be {
 
 impl PixelColor for Rgb565Be {
     type Raw = RawU16;
+}
+
+impl StoredColor for Rgb565Be {
+    type Fill = WordFill<Self>;
 }
 
 impl From<Rgb565> for Rgb565Be {

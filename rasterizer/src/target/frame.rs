@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
 
-use super::{DepthBuffer, StoredDepth, Target, fill::Fill};
+use super::{DepthBuffer, Fill, StoredColor, StoredDepth, Target, fill::fill_all};
 use crate::{
     geometry::{NoDepth, Subpixel, Varyings},
     raster::{Interpolate, Layout, Triangle, Window},
@@ -105,12 +105,6 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         self.depth
     }
 
-    /// Sets all pixels to one colour and their depth to the far end.
-    pub fn clear(&mut self, color: C) {
-        Fill::new(color).all(self.color);
-        self.clear_depth();
-    }
-
     /// Sets the depth of all pixels to the far end, and leaves their colours, for a background that is drawn already.
     pub fn clear_depth(&mut self) {
         self.depth.clear();
@@ -136,6 +130,14 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
     pub fn present<T: DrawTarget<Color = C>>(&self, display: &mut T) -> Result<(), T::Error> {
         display.fill_contiguous(&self.area, self.color.iter().copied())
     }
+}
+
+impl<C: StoredColor, B: DepthBuffer> Frame<'_, C, B> {
+    /// Sets all pixels to one colour and their depth to the far end.
+    pub fn clear(&mut self, color: C) {
+        fill_all(C::Fill::new(color), self.color);
+        self.clear_depth();
+    }
 
     /// Draws the spans of a triangle in one colour, untested.
     #[inline(never)]
@@ -145,7 +147,7 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         window: &Window,
         color: C,
     ) -> Result<(), Infallible> {
-        let fill = Fill::new(color);
+        let fill = C::Fill::new(color);
         triangle.for_each_span(window, self.layout, |span| {
             if let Some(pixels) = self.color.get_mut(span.start..span.end) {
                 fill.run(pixels);
@@ -155,7 +157,7 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
     }
 }
 
-impl<C: PixelColor, B: DepthBuffer> Target for Frame<'_, C, B> {
+impl<C: StoredColor, B: DepthBuffer> Target for Frame<'_, C, B> {
     type Color = C;
     type Depth = B::Format;
     type Error = Infallible;

@@ -2,6 +2,7 @@
 
 mod bands;
 mod big_endian;
+mod color;
 mod depth;
 mod direct;
 mod fill;
@@ -9,9 +10,11 @@ mod frame;
 
 pub use bands::{BandAreas, Bands, StreamError};
 pub use big_endian::Rgb565Be;
+pub use color::StoredColor;
 pub use depth::{DepthBuffer, StoredDepth};
 pub use direct::Direct;
 use embedded_graphics_core::pixelcolor::PixelColor;
+pub use fill::{Fill, PixelFill, WordFill};
 pub use frame::{Frame, FrameError};
 
 use crate::{

@@ -2,7 +2,6 @@
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
-    pixelcolor::Rgb565,
     primitives::Rectangle,
 };
 use rasterizer::{
@@ -12,6 +11,7 @@ use rasterizer::{
     numbers::{Angle, Rotation, Vec3},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Shader},
+    target::Rgb565Be,
 };
 
 use crate::{
@@ -98,7 +98,7 @@ struct Bench<'a, const SET_UP: bool>(&'a mut Memory<PIXELS>);
 
 impl<const SET_UP: bool> Bench<'_, SET_UP> {
     /// A scene with depth `D`, in all modes and both precisions.
-    fn scene<D: Depth, Sh: Shader<Color = Rgb565>>(
+    fn scene<D: Depth, Sh: Shader<Color = Rgb565Be>>(
         &mut self,
         name: &str,
         mesh: &Mesh<'_>,
@@ -112,7 +112,7 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
         }
     }
 
-    fn measure<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565>>(
+    fn measure<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>>(
         &mut self,
         (scene, precision): (&str, &str),
         mode: Mode,

@@ -5,17 +5,14 @@ use core::{
     fmt::{self, Debug, Display},
 };
 
-use embedded_graphics_core::{
-    pixelcolor::{Rgb565, RgbColor},
-    primitives::Rectangle,
-};
+use embedded_graphics_core::primitives::Rectangle;
 use rasterizer::{
     camera::Camera,
     geometry::{DepthFormat, NoDepth, ScreenVertex, Subpixel},
     raster::Interpolate,
     scene::Object,
     shade::Shader,
-    target::{BandAreas, DepthBuffer, Frame},
+    target::{BandAreas, DepthBuffer, Frame, Rgb565Be},
 };
 
 use crate::{counter::Moment, memory::Memory, nothing::Nothing};
@@ -65,14 +62,21 @@ pub trait Depth: DepthFormat + Interpolate {
     type Buffer<'a>: DepthBuffer<Format = Self>;
 
     /// A frame in memory of just the area's size.
-    fn frame<'a>(color: &'a mut [Rgb565], depth: &'a mut [u16], area: Rectangle)
-    -> Frame<'a, Rgb565, Self::Buffer<'a>>;
+    fn frame<'a>(
+        color: &'a mut [Rgb565Be],
+        depth: &'a mut [u16],
+        area: Rectangle,
+    ) -> Frame<'a, Rgb565Be, Self::Buffer<'a>>;
 }
 
 impl Depth for u16 {
     type Buffer<'a> = &'a mut [Self];
 
-    fn frame<'a>(color: &'a mut [Rgb565], depth: &'a mut [Self], area: Rectangle) -> Frame<'a, Rgb565, &'a mut [Self]> {
+    fn frame<'a>(
+        color: &'a mut [Rgb565Be],
+        depth: &'a mut [Self],
+        area: Rectangle,
+    ) -> Frame<'a, Rgb565Be, &'a mut [Self]> {
         Frame::new(color, depth, area).unwrap_or_else(fail)
     }
 }
@@ -80,7 +84,7 @@ impl Depth for u16 {
 impl Depth for NoDepth {
     type Buffer<'a> = Self;
 
-    fn frame<'a>(color: &'a mut [Rgb565], _: &'a mut [u16], area: Rectangle) -> Frame<'a, Rgb565, Self> {
+    fn frame<'a>(color: &'a mut [Rgb565Be], _: &'a mut [u16], area: Rectangle) -> Frame<'a, Rgb565Be, Self> {
         Frame::without_depth(color, area).unwrap_or_else(fail)
     }
 }
@@ -88,7 +92,7 @@ impl Depth for NoDepth {
 impl<const SET_UP: bool> Cost<SET_UP> {
     /// Draws one frame more: as a whole if it has no more than `rows`, else in bands of so many, with the triangles sorted
     /// into `bins`.
-    pub fn add<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565>, const PIXELS: usize>(
+    pub fn add<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
         &mut self,
         object: &Object<'_, Sh>,
         camera: &Camera,
@@ -126,7 +130,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         &mut self,
         memory: &mut Memory<PIXELS>,
         area: Rectangle,
-        draw: impl FnOnce(&mut Frame<'_, Rgb565, D::Buffer<'_>>) -> Result<(), Infallible>,
+        draw: impl FnOnce(&mut Frame<'_, Rgb565Be, D::Buffer<'_>>) -> Result<(), Infallible>,
         set_up: impl FnOnce(&mut Nothing<D>) -> Result<(), Infallible>,
     ) {
         if SET_UP {
@@ -137,7 +141,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         }
         let pixels = (area.size.width * area.size.height) as usize;
         let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
-        color.fill(Rgb565::BLACK);
+        color.fill(Rgb565Be::BLACK);
         let mut frame = D::frame(color, depth, area);
         let start = Moment::now();
         frame.clear_depth();
@@ -145,7 +149,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         let start = Moment::now();
         let Ok(()) = draw(&mut frame);
         self.draw += u64::from(start.elapsed());
-        self.pixels_drawn += frame.pixels().iter().filter(|&&pixel| pixel != Rgb565::BLACK).count() as u64;
+        self.pixels_drawn += frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
     }
 }
 

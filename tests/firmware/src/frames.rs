@@ -6,7 +6,7 @@ use embedded_graphics_core::{
     Pixel,
     draw_target::DrawTarget,
     geometry::{OriginDimensions, Point, Size},
-    pixelcolor::{IntoStorage, Rgb565, RgbColor},
+    pixelcolor::{IntoStorage, Rgb565},
     primitives::Rectangle,
 };
 use rasterizer::{
@@ -15,7 +15,7 @@ use rasterizer::{
     numbers::{Angle, Rotation, Vec3},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Light, Shader},
-    target::{Bands, Frame},
+    target::{Bands, Frame, Rgb565Be},
 };
 
 use crate::{bench::sun, console, cost::fail, memory::Memory, models};
@@ -44,7 +44,7 @@ const PARALLEL: Orthographic = match Orthographic::new(Distance::lit("2.2"), Dis
 /// Draws all frames, each as a whole and again in bands, and prints a line for each.
 pub fn run(memory: &mut Memory<PIXELS>) {
     let light = sun();
-    let gouraud = Gouraud::<Rgb565>::new(light);
+    let gouraud = Gouraud::<Rgb565Be>::new(light);
     let gear = Object::new(&models::GEAR, gouraud);
     let rocket = Object::new(&models::ROCKET, gouraud);
     let knot = Object::new(&models::TORUS_KNOT, gouraud);
@@ -68,14 +68,14 @@ fn flat(memory: &mut Memory<PIXELS>, light: Light) {
     let camera = Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; models::CUBE.vertex_count()];
     let pose = Pose::rotated(Rotation::about_x(Angle::degrees(30)) * Rotation::about_y(Angle::degrees(40)));
-    let cube = Object::new(&models::CUBE, Flat::<Rgb565>::new(light)).posed(pose);
+    let cube = Object::new(&models::CUBE, Flat::<Rgb565Be>::new(light)).posed(pose);
     let mut frame = Frame::without_depth(&mut memory.color, AREA).unwrap_or_else(fail);
-    frame.clear(Rgb565::BLACK);
+    frame.clear(Rgb565Be::BLACK);
     cube.draw(&camera, &mut vertices, &mut frame).unwrap_or_else(fail);
     console::line(format_args!("cube flat {:08x}", hash(0, frame.pixels())));
 }
 
-fn report<P: Projection, Sh: Shader<Color = Rgb565, Varyings = [u16; 1]>>(
+fn report<P: Projection, Sh: Shader<Color = Rgb565Be, Varyings = [u16; 1]>>(
     name: (&str, &str, u32),
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
@@ -88,7 +88,7 @@ fn report<P: Projection, Sh: Shader<Color = Rgb565, Varyings = [u16; 1]>>(
 }
 
 /// Draws a frame as a whole, again in bands, and again without storage for vertices, and checks that they are the same.
-fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565>>(
+fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
     memory: &mut Memory<PIXELS>,
@@ -97,7 +97,7 @@ fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565>>(
     let mut vertices = [ScreenVertex::<S, u16, Sh::Varyings>::EMPTY; VERTICES];
     let seen = object.project(camera, &mut vertices).unwrap_or_else(fail);
     let mut frame = Frame::new(color, depth, AREA).unwrap_or_else(fail);
-    frame.clear(BACKGROUND);
+    frame.clear(BACKGROUND.into());
     let Ok(()) = seen.draw(&mut frame);
     let whole = hash(0, frame.pixels());
 
@@ -106,13 +106,13 @@ fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565>>(
     let mut bins = [0; bin_words(TRIANGLES, SIDE, ROWS)];
     let mut display = Hashing(0);
     let binned = seen.binned(ROWS, &mut bins).unwrap_or_else(fail);
-    let Ok(()) = bands.show(&mut display, BACKGROUND, |band| binned.draw(band));
+    let Ok(()) = bands.show(&mut display, BACKGROUND.into(), |band| binned.draw(band));
     assert_eq!(whole, display.0, "bands differ from the whole frame");
 
     let mut display = Hashing(0);
     let walked = object.walk(camera, S::default()).unwrap_or_else(fail);
     let walked = walked.binned(ROWS, &mut bins).unwrap_or_else(fail);
-    let Ok(()) = bands.show(&mut display, BACKGROUND, |band| walked.draw(band));
+    let Ok(()) = bands.show(&mut display, BACKGROUND.into(), |band| walked.draw(band));
     assert_eq!(whole, display.0, "without storage for vertices the frame differs");
     whole
 }
@@ -127,24 +127,28 @@ impl OriginDimensions for Hashing {
 }
 
 impl DrawTarget for Hashing {
-    type Color = Rgb565;
+    type Color = Rgb565Be;
     type Error = Infallible;
 
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565Be>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         self.fill_contiguous(&AREA, pixels.into_iter().map(|pixel| pixel.1))
     }
 
-    fn fill_contiguous<I: IntoIterator<Item = Rgb565>>(&mut self, _: &Rectangle, colors: I) -> Result<(), Infallible> {
+    fn fill_contiguous<I: IntoIterator<Item = Rgb565Be>>(
+        &mut self,
+        _: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
         self.0 = colors.into_iter().fold(self.0, |before, pixel| hash(before, &[pixel]));
         Ok(())
     }
 }
 
-/// FNV-1a over the pixels' 16-bit values, going on from the hash of what came before.
-fn hash(before: u32, pixels: &[Rgb565]) -> u32 {
+/// FNV-1a over the pixels' 16-bit values as a number of any core, going on from the hash of what came before.
+fn hash(before: u32, pixels: &[Rgb565Be]) -> u32 {
     let start = before ^ 0x811C_9DC5;
-    let end = pixels.iter().fold(start, |hash, pixel| {
-        (hash ^ u32::from(pixel.into_storage())).wrapping_mul(0x0100_0193)
+    let end = pixels.iter().fold(start, |hash, &pixel| {
+        (hash ^ u32::from(Rgb565::from(pixel).into_storage())).wrapping_mul(0x0100_0193)
     });
     end ^ 0x811C_9DC5
 }

@@ -3,13 +3,13 @@
 use core::cell::RefCell;
 
 use critical_section::Mutex;
-use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use rasterizer::target::Rgb565Be;
 
 /// Colour and depth of so many pixels.
 #[derive(Debug)]
 pub struct Memory<const PIXELS: usize> {
-    /// The pixels.
-    pub color: [Rgb565; PIXELS],
+    /// The pixels, as a display's bus takes them.
+    pub color: [Rgb565Be; PIXELS],
     /// Their depth.
     pub depth: [u16; PIXELS],
 }
@@ -22,7 +22,7 @@ impl<const PIXELS: usize> Memory<PIXELS> {
     #[must_use]
     pub const fn shared() -> Shared<PIXELS> {
         Mutex::new(RefCell::new(Self {
-            color: [Rgb565::BLACK; PIXELS],
+            color: [Rgb565Be::BLACK; PIXELS],
             depth: [0; PIXELS],
         }))
     }

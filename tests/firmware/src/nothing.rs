@@ -2,11 +2,11 @@
 
 use core::{convert::Infallible, hint::black_box, marker::PhantomData};
 
-use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
+use embedded_graphics_core::primitives::Rectangle;
 use rasterizer::{
     geometry::{DepthFormat, Subpixel, Varyings},
     raster::{Interpolate, Layout, Triangle, Window},
-    target::Target,
+    target::{Rgb565Be, Target},
 };
 
 /// Takes the spans of an area, complete with their attributes, and draws none of them.
@@ -28,7 +28,7 @@ impl<D> Nothing<D> {
 }
 
 impl<D: DepthFormat + Interpolate> Target for Nothing<D> {
-    type Color = Rgb565;
+    type Color = Rgb565Be;
     type Depth = D;
     type Error = Infallible;
 
@@ -41,7 +41,7 @@ impl<D: DepthFormat + Interpolate> Target for Nothing<D> {
         &mut self,
         triangle: Triangle<'_, S, D, V>,
         window: &Window,
-        _: impl FnMut(V::Sample) -> Rgb565,
+        _: impl FnMut(V::Sample) -> Rgb565Be,
     ) -> Result<(), Infallible> {
         triangle.for_each_span(window, LAYOUT, |span| {
             // Nobody looks at the span; the compiler must not know.

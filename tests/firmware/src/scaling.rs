@@ -1,6 +1,5 @@
 //! How the cost of a frame grows with the number of triangles, and with the number of pixels.
 
-use embedded_graphics_core::pixelcolor::Rgb565;
 use rasterizer::{
     camera::Camera,
     geometry::{Pose, S4, S8, ScreenVertex, Subpixel},
@@ -8,6 +7,7 @@ use rasterizer::{
     numbers::{Angle, Rotation},
     scene::Object,
     shade::Gouraud,
+    target::Rgb565Be,
 };
 
 use crate::{
@@ -120,7 +120,7 @@ fn point(
 }
 
 fn measure<'a, S: Subpixel>(
-    object: impl Fn(u32) -> Object<'a, Gouraud<Rgb565>>,
+    object: impl Fn(u32) -> Object<'a, Gouraud<Rgb565Be>>,
     camera: &Camera,
     memory: &mut Memory<PIXELS>,
 ) -> Cost<false> {

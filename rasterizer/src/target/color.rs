@@ -1,0 +1,50 @@
+//! What the memory of a frame holds.
+
+use embedded_graphics_core::pixelcolor::{
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
+};
+
+use super::{Fill, PixelFill};
+
+/// A colour that memory can be filled with: all of embedded-graphics and [`Rgb565Be`](super::Rgb565Be).
+///
+/// For a colour of one's own it takes a line:
+///
+/// ```
+/// use embedded_graphics_core::{pixelcolor::raw::RawU4, prelude::*, primitives::Rectangle};
+/// use rasterizer::target::{Frame, PixelFill, StoredColor};
+///
+/// /// A place in a palette.
+/// #[derive(Clone, Copy, Debug, PartialEq)]
+/// struct Indexed(u8);
+///
+/// impl PixelColor for Indexed {
+///     type Raw = RawU4;
+/// }
+///
+/// impl StoredColor for Indexed {
+///     type Fill = PixelFill<Self>;
+/// }
+///
+/// let mut pixels = [Indexed(0); 3 * 2];
+/// Frame::without_depth(&mut pixels, Rectangle::new(Point::zero(), Size::new(3, 2)))?.clear(Indexed(7));
+/// assert_eq!(pixels, [Indexed(7); 6]);
+/// # Ok::<(), rasterizer::target::FrameError>(())
+/// ```
+///
+/// One of 16 bits that is plain data takes [`WordFill`](super::WordFill) instead.
+pub trait StoredColor: PixelColor {
+    /// How runs of pixels are set to it.
+    type Fill: Fill<Self>;
+}
+
+macro_rules! by_pixels {
+    ($($color:ty),*) => {
+        $(impl StoredColor for $color {
+            type Fill = PixelFill<Self>;
+        })*
+    };
+}
+
+by_pixels!(BinaryColor, Gray2, Gray4, Gray8);
+by_pixels!(Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888);
