@@ -88,21 +88,14 @@ impl Edge {
     }
 }
 
-/// ⌊dx / dy⌋ and the rest, for dy > 0. Most edges are steeper than 45 degrees or near it: no division for them.
+/// ⌊dx / dy⌋ and the rest, for dy > 0.
+///
+/// A negative dx has ⌊dx / dy⌋ = -⌊(-dx - 1) / dy⌋ - 1, and -n - 1 is what all bits of n inverted make.
 #[inline(always)]
 const fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     let is_left = dx >> 31;
-    let rest = dx + (dy & is_left);
-    if (rest as u32) < dy as u32 {
-        return (is_left, rest);
-    }
-    let quotient = divide_small(dx.unsigned_abs(), dy as u32) as i32;
-    let rest = dx.abs() - quotient * dy;
-    match (dx >= 0, rest == 0) {
-        (true, _) => (quotient, rest),
-        (false, true) => (-quotient, 0),
-        (false, false) => (-quotient - 1, dy - rest),
-    }
+    let quotient = divide_small((dx ^ is_left) as u32, dy as u32) as i32 ^ is_left;
+    (quotient, dx - quotient * dy)
 }
 
 /// ⌊`below * remainder / dy`⌋, for factors up to dy < 2^20.
