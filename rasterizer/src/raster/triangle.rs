@@ -65,7 +65,7 @@ where
     ) -> Result<(), E> {
         // From top to bottom, and on which side of the long edge the middle corner lies.
         let [mut top, mut middle, mut bottom] = self.corners;
-        let mut middle_is_right = self.area > 0;
+        let mut middle_is_right = self.area >= 0;
         if middle.y < top.y {
             (top, middle) = (middle, top);
             middle_is_right = !middle_is_right;
