@@ -162,17 +162,16 @@ pub struct TriangleSetup<S> {
 
 /// Gradients by the reciprocal of the area: `((numerator << up) * reciprocal / 2^32) << left`.
 #[derive(Clone, Copy, Debug)]
-struct Quick {
+pub(super) struct Quick {
     reciprocal: i32,
     up: u32,
     left: u32,
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
-    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in this order. `width`
-    /// is the extent of the triangle in sub-pixels.
+    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in this order.
     #[inline(always)]
-    pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64, width: i32) -> Self {
+    pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64, quick: Option<Quick>) -> Self {
         let half = 1 << (S::BITS - 1);
         Self {
             dx: [b[0] - a[0], c[0] - a[0]],
@@ -181,7 +180,7 @@ impl<S: Subpixel> TriangleSetup<S> {
             area,
             // The centre of the pixel that holds the first corner.
             to_anchor: a.map(|c| half - (c & (2 * half - 1))),
-            quick: Quick::new::<S>(area, is_positive, (width | (c[1] - a[1])) as u32),
+            quick,
             precision: PhantomData,
         }
     }
@@ -263,7 +262,7 @@ impl Quick {
     /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and for those so thin and
     /// long that the bits their gradients lack would add up. `extent` has no fewer bits than width and height.
     #[inline(always)]
-    fn new<S: Subpixel>(area: i64, is_positive: bool, extent: u32) -> Option<Self> {
+    pub(super) fn new<S: Subpixel>(area: i64, is_positive: bool, extent: u32) -> Option<Self> {
         if S::BITS > 4 && extent >> 15 != 0 {
             return None;
         }
@@ -289,7 +288,7 @@ impl Quick {
         Some(Self {
             reciprocal: mantissa >> right.max(0),
             up,
-            left: (-right).max(0) as u32,
+            left: (right.max(0) - right) as u32,
         })
     }
 }
