@@ -84,7 +84,6 @@ where
         }
 
         let first_row = first_center::<S>(top.y).max(window.top);
-        let middle_row = first_center::<S>(middle.y);
         let end_row = first_center::<S>(bottom.y).min(window.bottom);
         let left = top.x.min(middle.x).min(bottom.x);
         let right = top.x.max(middle.x).max(bottom.x);
@@ -117,7 +116,7 @@ where
         // The long edge stays; the short one on the other side gives way to the next at the middle corner's row.
         let mut long = Edge::new::<S>(at(top), at(bottom), row, &layout);
         black_box(&mut long);
-        let (mut upper, mut lower, mut end) = (top, middle, middle_row.min(end_row));
+        let (mut upper, mut lower, mut end) = (top, middle, first_center::<S>(middle.y).min(end_row));
         if row >= end {
             (upper, lower, end) = (middle, bottom, end_row);
         }
