@@ -134,7 +134,11 @@ pub trait Interpolate: Copy {
     type Sample: Copy;
 
     /// The plane through the values at a triangle's corners.
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<Self::Accumulator>;
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<Quick>,
+        corners: [Self; 3],
+    ) -> Plane<Self::Accumulator>;
 
     /// The value as it is stored, rounded to the nearest.
     fn value(accumulator: Self::Accumulator) -> Self;
@@ -155,14 +159,12 @@ pub struct TriangleSetup<S> {
     area: i64,
     /// From the first corner to the anchor's centre, in sub-pixels: at most half a pixel.
     to_anchor: [i32; 2],
-    /// Nothing if gradients have to be divided exactly.
-    quick: Option<Quick>,
     precision: PhantomData<S>,
 }
 
 /// Gradients by the reciprocal of the area: `((numerator << up) * reciprocal / 2^32) << left`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Quick {
+pub struct Quick {
     reciprocal: i32,
     up: u32,
     left: u32,
@@ -171,7 +173,7 @@ pub(super) struct Quick {
 impl<S: Subpixel> TriangleSetup<S> {
     /// For corners from top to bottom, with the doubled area and whether it is positive if taken in this order.
     #[inline(always)]
-    pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64, quick: Option<Quick>) -> Self {
+    pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64) -> Self {
         let half = 1 << (S::BITS - 1);
         Self {
             dx: [b[0] - a[0], c[0] - a[0]],
@@ -180,16 +182,13 @@ impl<S: Subpixel> TriangleSetup<S> {
             area,
             // The centre of the pixel that holds the first corner.
             to_anchor: a.map(|c| half - (c & (2 * half - 1))),
-            quick,
             precision: PhantomData,
         }
     }
 
-    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits. Three numbers, as an array
-    /// would be put into memory before it is known whether it is needed.
-    #[cold]
+    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits.
     #[inline(never)]
-    fn exact_plane(self, a: u16, b: u16, c: u16) -> Plane<u32> {
+    fn exact_plane(&self, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let divisor = Divisor::new(self.area.unsigned_abs());
         let gradient = |numerator: i64| divisor.divide(numerator << (16 + S::BITS)).0;
         let [x, y] = self.numerators([a, b, c].map(i64::from)).map(gradient);
@@ -235,14 +234,14 @@ impl<S: Subpixel> TriangleSetup<S> {
 
     /// The plane of an attribute of 16 bits by the reciprocal.
     #[inline(always)]
-    fn quick_plane(&self, quick: &Quick, [a, b, c]: [u16; 3]) -> Plane<u32> {
+    fn quick_plane(&self, quick: Quick, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let a = i32::from(a);
         let (d1, d2) = (i32::from(b) - a, i32::from(c) - a);
         let [dx1, dx2] = self.dx;
         let [dy1, dy2] = self.dy;
         // Products may wrap, their difference does not.
         let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let Quick { reciprocal, up, left } = *quick;
+        let Quick { reciprocal, up, left } = quick;
         let x = mul_high(numerator(d1, dy2, d2, dy1) << up, reciprocal);
         let y = mul_high(numerator(d2, dx1, d1, dx2) << up, reciprocal);
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below 2^30.
@@ -299,13 +298,10 @@ impl Interpolate for u16 {
     type Sample = U16F16;
 
     #[inline(always)]
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<u32> {
-        match &setup.quick {
+    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, quick: Option<Quick>, corners: [Self; 3]) -> Plane<u32> {
+        match quick {
             Some(quick) => setup.quick_plane(quick, corners),
-            None => {
-                let [a, b, c] = corners;
-                setup.exact_plane(a, b, c)
-            }
+            None => setup.exact_plane(corners),
         }
     }
 
@@ -326,7 +322,7 @@ impl Interpolate for u32 {
     type Accumulator = u64;
     type Sample = Self;
 
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<u64> {
+    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, _: Option<Quick>, corners: [Self; 3]) -> Plane<u64> {
         setup.exact_wide_plane(corners)
     }
 
@@ -346,7 +342,7 @@ impl Interpolate for NoDepth {
     type Sample = ();
 
     #[inline(always)]
-    fn plane<S: Subpixel>(_: &TriangleSetup<S>, _: [Self; 3]) -> Plane<()> {
+    fn plane<S: Subpixel>(_: &TriangleSetup<S>, _: Option<Quick>, _: [Self; 3]) -> Plane<()> {
         Plane {
             anchor: (),
             per_column: (),
@@ -368,7 +364,11 @@ impl<A: Interpolate, const N: usize> Interpolate for [A; N] {
     type Sample = [A::Sample; N];
 
     #[inline(always)]
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, [a, b, c]: [Self; 3]) -> Plane<Self::Accumulator> {
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<Quick>,
+        [a, b, c]: [Self; 3],
+    ) -> Plane<Self::Accumulator> {
         let mut all = Plane::<Self::Accumulator> {
             anchor: Step::ZERO,
             per_column: Step::ZERO,
@@ -376,7 +376,7 @@ impl<A: Interpolate, const N: usize> Interpolate for [A; N] {
         };
         // Not `from_fn`, whose closure compilers call, with the set-up in memory for it.
         for i in 0..N {
-            let plane = A::plane(setup, [a[i], b[i], c[i]]);
+            let plane = A::plane(setup, quick, [a[i], b[i], c[i]]);
             (all.anchor[i], all.per_column[i], all.per_row[i]) = (plane.anchor, plane.per_column, plane.per_row);
         }
         all

@@ -103,10 +103,11 @@ where
         // and spill what is used for every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
         let (mut depth, mut varyings);
         if quick.is_some() {
-            let setup = TriangleSetup::<S>::new(corners.map(at), middle_is_right, self.area, quick);
-            depth = D::plane(&setup, corners.map(|corner| corner.depth)).over_addresses(to_first, layout.pitch);
+            let setup = TriangleSetup::<S>::new(corners.map(at), middle_is_right, self.area);
+            depth = D::plane(&setup, quick, corners.map(|corner| corner.depth)).over_addresses(to_first, layout.pitch);
             black_box(&mut depth);
-            varyings = V::plane(&setup, corners.map(|corner| corner.varyings)).over_addresses(to_first, layout.pitch);
+            varyings =
+                V::plane(&setup, quick, corners.map(|corner| corner.varyings)).over_addresses(to_first, layout.pitch);
         } else {
             (depth, varyings) = exact_planes(top, middle, bottom, middle_is_right, self.area, to_first, layout.pitch);
         }
@@ -172,10 +173,10 @@ fn exact_planes<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpo
     pitch: i32,
 ) -> (Plane<D::Accumulator>, Plane<V::Accumulator>) {
     let corners = [top, middle, bottom];
-    let setup = TriangleSetup::<S>::new(corners.map(|corner| [corner.x, corner.y]), is_positive, area, None);
+    let setup = TriangleSetup::<S>::new(corners.map(|corner| [corner.x, corner.y]), is_positive, area);
     (
-        D::plane(&setup, corners.map(|corner| corner.depth)).over_addresses(to_first, pitch),
-        V::plane(&setup, corners.map(|corner| corner.varyings)).over_addresses(to_first, pitch),
+        D::plane(&setup, None, corners.map(|corner| corner.depth)).over_addresses(to_first, pitch),
+        V::plane(&setup, None, corners.map(|corner| corner.varyings)).over_addresses(to_first, pitch),
     )
 }
 
