@@ -123,12 +123,11 @@ where
         }
         loop {
             let mut short = Edge::new::<S>(at(upper), at(lower), row, &layout);
-            let (left, right) = if middle_is_right {
+            let (left, right) = black_box(if middle_is_right {
                 (&mut long, &mut short)
             } else {
                 (&mut short, &mut long)
-            };
-            let (left, right) = (black_box(left), black_box(right));
+            });
             while row < end {
                 let (mut start, mut end) = (left.boundary, right.boundary);
                 if is_cut {
