@@ -56,13 +56,11 @@ impl Edge {
             x += whole;
             rest = rest.wrapping_sub(whole.wrapping_mul(dy));
         }
-        // At the first centre from x on the edge function is below 2^S dy, and `rest` takes at most as much off.
-        let mut column = (x + 2 * half - 1) >> S::BITS;
-        let mut function = (((column << S::BITS) - x) * dy - rest) >> S::BITS;
-        if function < 0 {
-            column += 1;
-            function += dy;
-        }
+        // The first centre from x on lies -x mod 2^S beyond it: the edge function is below 2^S dy there, and `rest` takes at
+        // most as much off.
+        let column = (x + 2 * half - 1) >> S::BITS;
+        let function = ((-x & (2 * half - 1)) * dy - rest) >> S::BITS;
+        let (column, function) = carried(column, function, dy);
         Self {
             boundary: layout.row_address(row) + column,
             function,
@@ -76,21 +74,28 @@ impl Edge {
     #[inline(always)]
     pub(super) const fn step(&mut self) {
         // Worked out in registers and stored once.
-        let (mut boundary, mut function) = (self.boundary + self.stride, self.function - self.remainder);
-        if !IS_NARROW {
-            // Operands that are shifted on the way: two instructions less than by a condition.
-            let is_negative = function >> 31;
-            (boundary, function) = (boundary - is_negative, function + (self.dy & is_negative));
-        } else if function < 0 {
-            (boundary, function) = (boundary + 1, function + self.dy);
-        }
+        let (boundary, function) = carried(self.boundary + self.stride, self.function - self.remainder, self.dy);
         (self.boundary, self.function) = (boundary, function);
+    }
+}
+
+/// A boundary and its edge function, one pixel further where that is negative.
+#[inline(always)]
+const fn carried(boundary: i32, function: i32, dy: i32) -> (i32, i32) {
+    if !IS_NARROW {
+        // Operands that are shifted on the way: two instructions less than by a condition.
+        let is_negative = function >> 31;
+        (boundary - is_negative, function + (dy & is_negative))
+    } else if function < 0 {
+        (boundary + 1, function + dy)
+    } else {
+        (boundary, function)
     }
 }
 
 /// ⌊dx / dy⌋ and the rest, for dy > 0.
 ///
-/// A negative dx has ⌊dx / dy⌋ = -⌊(-dx - 1) / dy⌋ - 1, and -n - 1 is what all bits of n inverted make.
+/// A negative dx has ⌊dx / dy⌋ = -⌊(-dx - 1) / dy⌋ - 1, and -n - 1 is n with all its bits inverted.
 #[inline(always)]
 const fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     let is_left = dx >> 31;

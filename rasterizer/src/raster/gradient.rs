@@ -133,10 +133,10 @@ pub trait Interpolate: Copy {
     /// What a shader sees of it.
     type Sample: Copy;
 
-    /// The plane through the values at a triangle's corners.
+    /// The plane through the values at a triangle's corners; without `quick` its gradients are divided exactly.
     fn plane<S: Subpixel>(
         setup: &TriangleSetup<S>,
-        quick: Option<Quick>,
+        quick: Option<QuickGradients>,
         corners: [Self; 3],
     ) -> Plane<Self::Accumulator>;
 
@@ -164,7 +164,7 @@ pub struct TriangleSetup<S> {
 
 /// Gradients by the reciprocal of the area: `((numerator << up) * reciprocal / 2^32) << left`.
 #[derive(Clone, Copy, Debug)]
-pub struct Quick {
+pub struct QuickGradients {
     reciprocal: i32,
     up: u32,
     left: u32,
@@ -234,14 +234,14 @@ impl<S: Subpixel> TriangleSetup<S> {
 
     /// The plane of an attribute of 16 bits by the reciprocal.
     #[inline(always)]
-    fn quick_plane(&self, quick: Quick, [a, b, c]: [u16; 3]) -> Plane<u32> {
+    fn quick_plane(&self, quick: QuickGradients, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let a = i32::from(a);
         let (d1, d2) = (i32::from(b) - a, i32::from(c) - a);
         let [dx1, dx2] = self.dx;
         let [dy1, dy2] = self.dy;
         // Products may wrap, their difference does not.
         let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let Quick { reciprocal, up, left } = quick;
+        let QuickGradients { reciprocal, up, left } = quick;
         let x = mul_high(numerator(d1, dy2, d2, dy1) << up, reciprocal);
         let y = mul_high(numerator(d2, dx1, d1, dx2) << up, reciprocal);
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below 2^30.
@@ -257,7 +257,7 @@ impl<S: Subpixel> TriangleSetup<S> {
     }
 }
 
-impl Quick {
+impl QuickGradients {
     /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and for those so thin and
     /// long that the bits their gradients lack would add up. `extent` has no fewer bits than width and height.
     #[inline(always)]
@@ -298,7 +298,7 @@ impl Interpolate for u16 {
     type Sample = U16F16;
 
     #[inline(always)]
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, quick: Option<Quick>, corners: [Self; 3]) -> Plane<u32> {
+    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, quick: Option<QuickGradients>, corners: [Self; 3]) -> Plane<u32> {
         match quick {
             Some(quick) => setup.quick_plane(quick, corners),
             None => setup.exact_plane(corners),
@@ -322,7 +322,7 @@ impl Interpolate for u32 {
     type Accumulator = u64;
     type Sample = Self;
 
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, _: Option<Quick>, corners: [Self; 3]) -> Plane<u64> {
+    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, _: Option<QuickGradients>, corners: [Self; 3]) -> Plane<u64> {
         setup.exact_wide_plane(corners)
     }
 
@@ -342,7 +342,7 @@ impl Interpolate for NoDepth {
     type Sample = ();
 
     #[inline(always)]
-    fn plane<S: Subpixel>(_: &TriangleSetup<S>, _: Option<Quick>, _: [Self; 3]) -> Plane<()> {
+    fn plane<S: Subpixel>(_: &TriangleSetup<S>, _: Option<QuickGradients>, _: [Self; 3]) -> Plane<()> {
         Plane {
             anchor: (),
             per_column: (),
@@ -366,7 +366,7 @@ impl<A: Interpolate, const N: usize> Interpolate for [A; N] {
     #[inline(always)]
     fn plane<S: Subpixel>(
         setup: &TriangleSetup<S>,
-        quick: Option<Quick>,
+        quick: Option<QuickGradients>,
         [a, b, c]: [Self; 3],
     ) -> Plane<Self::Accumulator> {
         let mut all = Plane::<Self::Accumulator> {

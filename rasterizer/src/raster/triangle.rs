@@ -5,7 +5,7 @@ use core::hint::black_box;
 use super::{
     Interpolate, Layout, Plane, Span, Window,
     edge::Edge,
-    gradient::{Quick, TriangleSetup},
+    gradient::{QuickGradients, TriangleSetup},
 };
 use crate::{
     geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings},
@@ -98,7 +98,7 @@ where
         let [anchor_column, anchor_row] = at(top).map(|c| c >> S::BITS);
         // From the anchor to the pixel at address 0 of the display's first row.
         let to_first = [layout.origin - anchor_column, -anchor_row];
-        let quick = Quick::new::<S>(self.area, middle_is_right, (right - left | bottom.y - top.y) as u32);
+        let quick = QuickGradients::new::<S>(self.area, middle_is_right, ((right - left) | (bottom.y - top.y)) as u32);
         // What is used once a row stays in memory, from where it is worked out: compilers would rather keep it in registers
         // and spill what is used for every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
         let (mut depth, mut varyings);
@@ -159,7 +159,8 @@ where
     }
 }
 
-/// The planes of depth and varyings over addresses, by exact divisions.
+/// The planes of depth and varyings over addresses, by exact divisions. The corners come one by one: an array of them would
+/// be put into memory before it is known whether it is needed.
 #[cold]
 #[inline(never)]
 fn exact_planes<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpolate>(
