@@ -71,13 +71,11 @@ impl Edge {
             x += whole;
             rest = rest.wrapping_sub(whole.wrapping_mul(dy));
         }
-        // At the first centre from x on the edge function is below 2^S dy, and `rest` takes at most as much off.
-        let mut column = (x + 2 * half - 1) >> S::BITS;
-        let mut function = (((column << S::BITS) - x) * dy - rest) >> S::BITS;
-        if function < 0 {
-            column += 1;
-            function += dy;
-        }
+        // The first centre from x on lies -x mod 2^S beyond it: the edge function is below 2^S dy there, and `rest` takes at
+        // most as much off.
+        let column = (x + 2 * half - 1) >> S::BITS;
+        let function = ((-x & (2 * half - 1)) * dy - rest) >> S::BITS;
+        let (column, function) = carried(column, function, dy);
         Self {
             boundary: layout.row_address(row) + column,
             function,
@@ -91,33 +89,33 @@ impl Edge {
     #[inline(always)]
     pub(super) const fn step(&mut self) {
         // Worked out in registers and stored once.
-        let (mut boundary, mut function) = (self.boundary + self.stride, self.function - self.remainder);
-        if !IS_NARROW {
-            // Operands that are shifted on the way: two instructions less than by a condition.
-            let is_negative = function >> 31;
-            (boundary, function) = (boundary - is_negative, function + (self.dy & is_negative));
-        } else if function < 0 {
-            (boundary, function) = (boundary + 1, function + self.dy);
-        }
+        let (boundary, function) = carried(self.boundary + self.stride, self.function - self.remainder, self.dy);
         (self.boundary, self.function) = (boundary, function);
     }
 }
 
-/// ⌊dx / dy⌋ and the rest, for dy > 0. Most edges are steeper than 45 degrees or near it: no division for them.
+/// A boundary and its edge function, one pixel further where that is negative.
+#[inline(always)]
+const fn carried(boundary: i32, function: i32, dy: i32) -> (i32, i32) {
+    if !IS_NARROW {
+        // Operands that are shifted on the way: two instructions less than by a condition.
+        let is_negative = function >> 31;
+        (boundary - is_negative, function + (dy & is_negative))
+    } else if function < 0 {
+        (boundary + 1, function + dy)
+    } else {
+        (boundary, function)
+    }
+}
+
+/// ⌊dx / dy⌋ and the rest, for dy > 0.
+///
+/// A negative dx has ⌊dx / dy⌋ = -⌊(-dx - 1) / dy⌋ - 1, and -n - 1 is n with all its bits inverted.
 #[inline(always)]
 const fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     let is_left = dx >> 31;
-    let rest = dx + (dy & is_left);
-    if (rest as u32) < dy as u32 {
-        return (is_left, rest);
-    }
-    let quotient = divide_small(dx.unsigned_abs(), dy as u32) as i32;
-    let rest = dx.abs() - quotient * dy;
-    match (dx >= 0, rest == 0) {
-        (true, _) => (quotient, rest),
-        (false, true) => (-quotient, 0),
-        (false, false) => (-quotient - 1, dy - rest),
-    }
+    let quotient = divide_small((dx ^ is_left) as u32, dy as u32) as i32 ^ is_left;
+    (quotient, dx - quotient * dy)
 }
 
 /// ⌊`below * remainder / dy`⌋, for factors up to dy, which in S4 is below 2^15 and in S8 below 2^19.

@@ -133,8 +133,12 @@ pub trait Interpolate: Copy {
     /// What a shader sees of it.
     type Sample: Copy;
 
-    /// The plane through the values at a triangle's corners.
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<Self::Accumulator>;
+    /// The plane through the values at a triangle's corners; without `quick` its gradients are divided exactly.
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        corners: [Self; 3],
+    ) -> Plane<Self::Accumulator>;
 
     /// The value as it is stored, rounded to the nearest.
     fn value(accumulator: Self::Accumulator) -> Self;
@@ -155,24 +159,21 @@ pub struct TriangleSetup<S> {
     area: i64,
     /// From the first corner to the anchor's centre, in sub-pixels: at most half a pixel.
     to_anchor: [i32; 2],
-    /// Nothing if gradients have to be divided exactly.
-    quick: Option<Quick>,
     precision: PhantomData<S>,
 }
 
 /// Gradients by the reciprocal of the area: `((numerator << up) * reciprocal / 2^32) << left`.
 #[derive(Clone, Copy, Debug)]
-struct Quick {
+pub struct QuickGradients {
     reciprocal: i32,
     up: u32,
     left: u32,
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
-    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in this order. `width`
-    /// is the extent of the triangle in sub-pixels.
+    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in this order.
     #[inline(always)]
-    pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64, width: i32) -> Self {
+    pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64) -> Self {
         let half = 1 << (S::BITS - 1);
         let to_center = |c: i32| half - (c & (2 * half - 1));
         Self {
@@ -182,16 +183,13 @@ impl<S: Subpixel> TriangleSetup<S> {
             area,
             // The centre of the pixel that holds the first corner.
             to_anchor: [to_center(a[0]), to_center(a[1])],
-            quick: Quick::new::<S>(area, is_positive, (width | (c[1] - a[1])) as u32),
             precision: PhantomData,
         }
     }
 
-    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits. Three numbers, as an array
-    /// would be put into memory before it is known whether it is needed.
-    #[cold]
+    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits.
     #[inline(never)]
-    fn exact_plane(self, a: u16, b: u16, c: u16) -> Plane<u32> {
+    fn exact_plane(&self, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let divisor = Divisor::new(self.area.unsigned_abs());
         let gradient = |[p, q]: [i32; 2], [r, s]: [i32; 2]| {
             let numerator = if S::BITS <= 4 {
@@ -250,14 +248,14 @@ impl<S: Subpixel> TriangleSetup<S> {
 
     /// The plane of an attribute of 16 bits by the reciprocal.
     #[inline(always)]
-    fn quick_plane(&self, quick: &Quick, [a, b, c]: [u16; 3]) -> Plane<u32> {
+    fn quick_plane(&self, quick: QuickGradients, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let start = i32::from(a);
         let (d1, d2) = (i32::from(b) - start, i32::from(c) - start);
         let [dx1, dx2] = self.dx;
         let [dy1, dy2] = self.dy;
         // Products may wrap, their difference does not.
         let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
-        let Quick { reciprocal, up, left } = *quick;
+        let QuickGradients { reciprocal, up, left } = quick;
         let x = mul_high(numerator(d1, dy2, d2, dy1) << up, reciprocal);
         let y = mul_high(numerator(d2, dx1, d1, dx2) << up, reciprocal);
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below 2^30.
@@ -277,11 +275,11 @@ const fn middle_of(a: u16) -> u32 {
     ((a as u32) << 16) + (1 << 15)
 }
 
-impl Quick {
+impl QuickGradients {
     /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and for those so thin and
     /// long that the bits their gradients lack would add up. `extent` has no fewer bits than width and height.
     #[inline(always)]
-    fn new<S: Subpixel>(area: i64, is_positive: bool, extent: u32) -> Option<Self> {
+    pub(super) fn new<S: Subpixel>(area: i64, is_positive: bool, extent: u32) -> Option<Self> {
         if S::BITS > 4 && extent >> 15 != 0 {
             return None;
         }
@@ -307,7 +305,7 @@ impl Quick {
         Some(Self {
             reciprocal: mantissa >> right.max(0),
             up,
-            left: (-right).max(0) as u32,
+            left: (right.max(0) - right) as u32,
         })
     }
 }
@@ -318,13 +316,10 @@ impl Interpolate for u16 {
     type Sample = U16F16;
 
     #[inline(always)]
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<u32> {
-        match &setup.quick {
+    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, quick: Option<QuickGradients>, corners: [Self; 3]) -> Plane<u32> {
+        match quick {
             Some(quick) => setup.quick_plane(quick, corners),
-            None => {
-                let [a, b, c] = corners;
-                setup.exact_plane(a, b, c)
-            }
+            None => setup.exact_plane(corners),
         }
     }
 
@@ -345,7 +340,7 @@ impl Interpolate for u32 {
     type Accumulator = u64;
     type Sample = Self;
 
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, corners: [Self; 3]) -> Plane<u64> {
+    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, _: Option<QuickGradients>, corners: [Self; 3]) -> Plane<u64> {
         setup.exact_wide_plane(corners)
     }
 
@@ -365,7 +360,7 @@ impl Interpolate for NoDepth {
     type Sample = ();
 
     #[inline(always)]
-    fn plane<S: Subpixel>(_: &TriangleSetup<S>, _: [Self; 3]) -> Plane<()> {
+    fn plane<S: Subpixel>(_: &TriangleSetup<S>, _: Option<QuickGradients>, _: [Self; 3]) -> Plane<()> {
         Plane {
             anchor: (),
             per_column: (),
@@ -387,7 +382,11 @@ impl<A: Interpolate, const N: usize> Interpolate for [A; N] {
     type Sample = [A::Sample; N];
 
     #[inline(always)]
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, [a, b, c]: [Self; 3]) -> Plane<Self::Accumulator> {
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        [a, b, c]: [Self; 3],
+    ) -> Plane<Self::Accumulator> {
         let mut all = Plane::<Self::Accumulator> {
             anchor: Step::ZERO,
             per_column: Step::ZERO,
@@ -395,7 +394,7 @@ impl<A: Interpolate, const N: usize> Interpolate for [A; N] {
         };
         // Not `from_fn`, whose closure compilers call, with the set-up in memory for it.
         for i in 0..N {
-            let plane = A::plane(setup, [a[i], b[i], c[i]]);
+            let plane = A::plane(setup, quick, [a[i], b[i], c[i]]);
             (all.anchor[i], all.per_column[i], all.per_row[i]) = (plane.anchor, plane.per_column, plane.per_row);
         }
         all

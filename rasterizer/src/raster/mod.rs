@@ -14,7 +14,7 @@ mod gradient;
 mod span;
 mod triangle;
 
-pub use gradient::{Interpolate, Plane, Step, TriangleSetup};
+pub use gradient::{Interpolate, Plane, QuickGradients, Step, TriangleSetup};
 pub use span::{Layout, Span, Window};
 pub(crate) use triangle::first_center;
 pub use triangle::{Triangle, signed_area};

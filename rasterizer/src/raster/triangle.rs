@@ -2,7 +2,11 @@
 
 use core::hint::black_box;
 
-use super::{Interpolate, Layout, Span, Window, edge::Edge, gradient::TriangleSetup};
+use super::{
+    Interpolate, Layout, Plane, Span, Window,
+    edge::Edge,
+    gradient::{QuickGradients, TriangleSetup},
+};
 use crate::{
     geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings},
     numbers::IS_NARROW,
@@ -65,7 +69,7 @@ where
     ) -> Result<(), E> {
         // From top to bottom, and on which side of the long edge the middle corner lies.
         let [mut top, mut middle, mut bottom] = self.corners;
-        let mut middle_is_right = self.area > 0;
+        let mut middle_is_right = self.area >= 0;
         if middle.y < top.y {
             (top, middle) = (middle, top);
             middle_is_right = !middle_is_right;
@@ -80,7 +84,6 @@ where
         }
 
         let first_row = first_center::<S>(top.y).max(window.top);
-        let middle_row = first_center::<S>(middle.y);
         let end_row = first_center::<S>(bottom.y).min(window.bottom);
         let left = top.x.min(middle.x).min(bottom.x);
         let right = top.x.max(middle.x).max(bottom.x);
@@ -91,40 +94,40 @@ where
         let is_cut = ((first_column - window.left) | (window.right - end_column)) < 0;
 
         let at = |vertex: &ScreenVertex<S, D, V>| [vertex.x, vertex.y];
-        let setup = TriangleSetup::<S>::new(
-            [at(top), at(middle), at(bottom)],
-            middle_is_right,
-            self.area,
-            right - left,
-        );
+        let corners = [top, middle, bottom];
         let (anchor_column, anchor_row) = (top.x >> S::BITS, top.y >> S::BITS);
         // From the anchor to the pixel at address 0 of the display's first row.
         let to_first = [layout.origin - anchor_column, -anchor_row];
+        let quick = QuickGradients::new::<S>(self.area, middle_is_right, ((right - left) | (bottom.y - top.y)) as u32);
         // What is used once a row stays in memory, from where it is worked out: compilers would rather keep it in registers
         // and spill what is used for every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
-        let mut depth =
-            D::plane(&setup, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, layout.pitch);
-        black_box(&mut depth);
-        let mut varyings =
-            V::plane(&setup, [top.varyings, middle.varyings, bottom.varyings]).over_addresses(to_first, layout.pitch);
+        let (mut depth, mut varyings);
+        if quick.is_some() {
+            let setup = TriangleSetup::<S>::new(corners.map(at), middle_is_right, self.area);
+            depth = D::plane(&setup, quick, corners.map(|corner| corner.depth)).over_addresses(to_first, layout.pitch);
+            black_box(&mut depth);
+            varyings =
+                V::plane(&setup, quick, corners.map(|corner| corner.varyings)).over_addresses(to_first, layout.pitch);
+        } else {
+            (depth, varyings) = exact_planes(top, middle, bottom, middle_is_right, self.area, to_first, layout.pitch);
+        }
         black_box(&mut varyings);
 
         let mut row = first_row;
         // The long edge stays; the short one on the other side gives way to the next at the middle corner's row.
         let mut long = Edge::new::<S>(at(top), at(bottom), row, &layout);
         black_box(&mut long);
-        let (mut upper, mut lower, mut end) = (top, middle, middle_row.min(end_row));
+        let (mut upper, mut lower, mut end) = (top, middle, first_center::<S>(middle.y).min(end_row));
         if row >= end {
             (upper, lower, end) = (middle, bottom, end_row);
         }
         loop {
             let mut short = Edge::new::<S>(at(upper), at(lower), row, &layout);
-            let (left, right) = if middle_is_right {
+            let (left, right) = black_box(if middle_is_right {
                 (&mut long, &mut short)
             } else {
                 (&mut short, &mut long)
-            };
-            let (left, right) = (black_box(left), black_box(right));
+            });
             while row < end {
                 let (mut start, mut end) = (left.boundary, right.boundary);
                 if is_cut {
@@ -154,6 +157,27 @@ where
             (upper, lower, end) = (middle, bottom, end_row);
         }
     }
+}
+
+/// The planes of depth and varyings over addresses, by exact divisions. The corners come one by one: an array of them would
+/// be put into memory before it is known whether it is needed.
+#[cold]
+#[inline(never)]
+fn exact_planes<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpolate>(
+    top: &ScreenVertex<S, D, V>,
+    middle: &ScreenVertex<S, D, V>,
+    bottom: &ScreenVertex<S, D, V>,
+    is_positive: bool,
+    area: i64,
+    to_first: [i32; 2],
+    pitch: i32,
+) -> (Plane<D::Accumulator>, Plane<V::Accumulator>) {
+    let corners = [top, middle, bottom];
+    let setup = TriangleSetup::<S>::new(corners.map(|corner| [corner.x, corner.y]), is_positive, area);
+    (
+        D::plane(&setup, None, corners.map(|corner| corner.depth)).over_addresses(to_first, pitch),
+        V::plane(&setup, None, corners.map(|corner| corner.varyings)).over_addresses(to_first, pitch),
+    )
 }
 
 #[cfg(test)]

@@ -152,7 +152,7 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             let end = first + material.triangle_count as usize;
             // Worked out when the first triangle needs it: in a band most materials are not seen.
             let mut surface = None;
-            self.for_each_visible(chosen(first..end), rows, &mut lookup, |index, corners, area| {
+            self.for_each_visible(first..end, &mut chosen, rows, &mut lookup, |index, corners, area| {
                 if surface.is_none() {
                     self.prepare(material, &mut surface);
                 }
@@ -186,9 +186,13 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>) -> Result<(), E>,
     ) -> Result<(), E> {
         let all = 0..self.triangle_count();
-        self.for_each_visible(all, Rows::ALL, &mut self.vertices.lookup(), |index, corners, _| {
-            visit(index, corners)
-        })
+        self.for_each_visible(
+            all,
+            |all| all,
+            Rows::ALL,
+            &mut self.vertices.lookup(),
+            |index, corners, _| visit(index, corners),
+        )
     }
 
     /// The rectangle of the pixels that its triangles may touch, as far as they lie in the viewport: a frame or bands
@@ -208,21 +212,28 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     /// them. A triangle that is clipped may be visited several times.
     pub(super) fn for_each_touching(&self, mut visit: impl FnMut(usize, &Window)) {
         let (all, rows) = (0..self.triangle_count(), Rows::of::<V::Subpixel>(&self.viewport));
-        let Ok(()) = self.for_each_visible(all, rows, &mut self.vertices.lookup(), |index, corners, _| {
-            let touched = window_of(corners).intersection(&self.viewport);
-            if !touched.is_empty() {
-                visit(index, &touched);
-            }
-            Ok::<(), Infallible>(())
-        });
+        let Ok(()) = self.for_each_visible(
+            all,
+            |all| all,
+            rows,
+            &mut self.vertices.lookup(),
+            |index, corners, _| {
+                let touched = window_of(corners).intersection(&self.viewport);
+                if !touched.is_empty() {
+                    visit(index, &touched);
+                }
+                Ok::<(), Infallible>(())
+            },
+        );
     }
 
-    /// Visits those triangles of the mesh that are seen and may reach `rows`, with their signed areas. A function of its
-    /// own: the loop needs its registers.
+    /// Visits those triangles that `chosen` picks from a run and that are seen and may reach `rows`, with their signed areas.
+    /// A function of its own: the loop needs its registers.
     #[inline(never)]
-    fn for_each_visible<E>(
+    fn for_each_visible<E, I: Iterator<Item = usize>>(
         &self,
-        triangles: impl Iterator<Item = usize>,
+        run: Range<usize>,
+        chosen: impl FnOnce(Range<usize>) -> I,
         rows: Rows,
         lookup: &mut V::Lookup,
         mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>, i64) -> Result<(), E>,
@@ -231,7 +242,8 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             return Ok(());
         }
         let table = self.tables.triangles;
-        for index in triangles {
+        // Cut to the table here, where compilers see that no index of the run lies beyond it.
+        for index in chosen(run.start..run.end.min(table.len())) {
             let Some(indices) = table.get(index) else {
                 break;
             };

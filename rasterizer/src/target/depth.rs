@@ -84,8 +84,12 @@ impl<D: StoredDepth> DepthBuffer for &mut [D] {
                 if cells.len() >= LONG_RUN {
                     run.draw_long(colors, cells, &mut pixel);
                 } else {
-                    for (color, cell) in colors.iter_mut().zip(cells) {
+                    // By their places, for which compilers take an instruction less a span than for slices zipped.
+                    for place in 0..end - start {
                         roll();
+                        let (Some(color), Some(cell)) = (colors.get_mut(place), cells.get_mut(place)) else {
+                            break;
+                        };
                         run.draw(color, cell, &mut pixel);
                     }
                 }
