@@ -94,7 +94,6 @@ where
         let is_cut = ((first_column - window.left) | (window.right - end_column)) < 0;
 
         let at = |vertex: &ScreenVertex<S, D, V>| [vertex.x, vertex.y];
-        let corners = [top, middle, bottom];
         let (anchor_column, anchor_row) = (top.x >> S::BITS, top.y >> S::BITS);
         // From the anchor to the pixel at address 0 of the display's first row.
         let to_first = [layout.origin - anchor_column, -anchor_row];
@@ -103,11 +102,12 @@ where
         // and spill what is used for every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
         let (mut depth, mut varyings);
         if quick.is_some() {
-            let setup = TriangleSetup::<S>::new(corners.map(at), middle_is_right, self.area);
-            depth = D::plane(&setup, quick, corners.map(|corner| corner.depth)).over_addresses(to_first, layout.pitch);
+            let setup = TriangleSetup::<S>::new([at(top), at(middle), at(bottom)], middle_is_right, self.area);
+            depth =
+                D::plane(&setup, quick, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, layout.pitch);
             black_box(&mut depth);
-            varyings =
-                V::plane(&setup, quick, corners.map(|corner| corner.varyings)).over_addresses(to_first, layout.pitch);
+            varyings = V::plane(&setup, quick, [top.varyings, middle.varyings, bottom.varyings])
+                .over_addresses(to_first, layout.pitch);
         } else {
             (depth, varyings) = exact_planes(top, middle, bottom, middle_is_right, self.area, to_first, layout.pitch);
         }
@@ -172,11 +172,11 @@ fn exact_planes<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpo
     to_first: [i32; 2],
     pitch: i32,
 ) -> (Plane<D::Accumulator>, Plane<V::Accumulator>) {
-    let corners = [top, middle, bottom];
-    let setup = TriangleSetup::<S>::new(corners.map(|corner| [corner.x, corner.y]), is_positive, area);
+    let corners = [[top.x, top.y], [middle.x, middle.y], [bottom.x, bottom.y]];
+    let setup = TriangleSetup::<S>::new(corners, is_positive, area);
     (
-        D::plane(&setup, None, corners.map(|corner| corner.depth)).over_addresses(to_first, pitch),
-        V::plane(&setup, None, corners.map(|corner| corner.varyings)).over_addresses(to_first, pitch),
+        D::plane(&setup, None, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, pitch),
+        V::plane(&setup, None, [top.varyings, middle.varyings, bottom.varyings]).over_addresses(to_first, pitch),
     )
 }
 
