@@ -309,12 +309,18 @@ impl Store {
     #[inline(never)]
     fn draw_in_perspective(&mut self, view: &View, display: &mut Display) -> Option<()> {
         let eye = camera(view, PERSPECTIVE, PICTURE)?;
-        let sphere = Object::new(&SPHERE, Gouraud::new(LIGHT)).posed(view.pose());
-        let smooth = sphere.project(&eye, &mut self.smooth).ok()?;
-        let cube = Object::new(&CUBE, Flat::new(LIGHT)).posed(view.pose().at(Vec3::X));
-        let faceted = cube.project(&eye, &mut self.faceted).ok()?;
-        let ball = Object::new(&BALL, Unlit::new()).culled(CullNone);
-        let plain = ball.project(&eye, &mut self.plain).ok()?;
+        let smooth = Object::new(&SPHERE, Gouraud::new(LIGHT))
+            .posed(view.pose())
+            .project(&eye, &mut self.smooth)
+            .ok()?;
+        let faceted = Object::new(&CUBE, Flat::new(LIGHT))
+            .posed(view.pose().at(Vec3::X))
+            .project(&eye, &mut self.faceted)
+            .ok()?;
+        let plain = Object::new(&BALL, Unlit::new())
+            .culled(CullNone)
+            .project(&eye, &mut self.plain)
+            .ok()?;
         for rows in BandAreas::new(PICTURE, ROWS) {
             let mut band = Frame::new(&mut self.color, &mut self.near, rows).ok()?;
             band.clear(Rgb565::BLACK);
@@ -336,10 +342,15 @@ impl Store {
     #[inline(never)]
     fn draw_in_parallel(&mut self, view: &View, display: &mut Display) -> Option<()> {
         let eye = camera(view, ORTHOGRAPHIC, PICTURE)?;
-        let sphere = Object::new(&SPHERE, Gouraud::new(LIGHT)).posed(view.pose());
-        let smooth = sphere.project(&eye, &mut self.smooth_wide).ok()?;
-        let cube = Object::new(&CUBE, Flat::new(LIGHT)).posed(view.pose().at(Vec3::X));
-        let faceted = cube.culled(CullNone).project(&eye, &mut self.faceted_wide).ok()?;
+        let smooth = Object::new(&SPHERE, Gouraud::new(LIGHT))
+            .posed(view.pose())
+            .project(&eye, &mut self.smooth_wide)
+            .ok()?;
+        let faceted = Object::new(&CUBE, Flat::new(LIGHT))
+            .posed(view.pose().at(Vec3::X))
+            .culled(CullNone)
+            .project(&eye, &mut self.faceted_wide)
+            .ok()?;
         for rows in BandAreas::new(PICTURE, ROWS) {
             let mut band = Frame::new(&mut self.color, &mut self.wide, rows).ok()?;
             band.clear(Rgb565::BLACK);
