@@ -132,9 +132,8 @@ pub(crate) struct Transform<P: Projection> {
     pub(super) near: i32,
     pub(super) far: i32,
     pub(super) lens: P::Lens,
-    /// The viewport's middle in half pixels, and its size in pixels.
+    /// The viewport's middle in half pixels.
     center: [i32; 2],
-    size: [u32; 2],
 }
 
 impl<P: Projection> Transform<P> {
@@ -162,7 +161,6 @@ impl<P: Projection> Transform<P> {
             far,
             lens: projection.lens(units),
             center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
-            size: [size.width, size.height],
         }
     }
 
@@ -177,7 +175,6 @@ impl<P: Projection> Transform<P> {
             far: self.far,
             lens: self.lens,
             center: self.center,
-            size: self.size,
         }
     }
 
@@ -238,22 +235,23 @@ impl<P: Projection> Transform<P> {
         )
     }
 
-    /// Whether a box is certain to lie outside the picture: all its corners beyond one and the same plane.
-    pub(crate) fn hides(&self, cuboid: &BoundingBox) -> bool {
+    /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all its corners beyond one
+    /// and the same plane.
+    pub(crate) fn hides(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
         let corners = cuboid.corners();
         corners
             .iter()
-            .fold(0b11_1111, |bits, &corner| bits & self.beyond(corner))
+            .fold(0b11_1111, |bits, &corner| bits & self.beyond(corner, size))
             != 0
     }
 
     /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of its own, as compilers
     /// repeat it for each corner of a box.
     #[inline(never)]
-    pub(crate) fn beyond(&self, position: [i16; 3]) -> u8 {
+    pub(crate) fn beyond(&self, position: [i16; 3], [width, height]: [i32; 2]) -> u8 {
         let [x, y, z] = self.few_to_clip(position);
         // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
-        let [across, down] = self.size.map(|pixels| (pixels / 2 + 2) as i32);
+        let (across, down) = (width / 2 + 2, height / 2 + 2);
         // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31 as the viewport is no
         // wider than the guard band. Beyond the near plane it may be negative, and the sides are still planes through the
         // eye: upwards is outwards there too.
@@ -386,7 +384,7 @@ mod tests {
             if is_seen {
                 seen += 1;
                 assert!(
-                    !transform.hides(&Bounds::of(&positions).cuboid),
+                    !transform.hides(&Bounds::of(&positions).cuboid, [321, 240]),
                     "a box is hidden that shows"
                 );
             }
@@ -442,7 +440,7 @@ mod tests {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
             let transform = Transform::new(&camera, &pose, &tables(&positions));
-            transform.hides(&Bounds::of(&positions).cuboid)
+            transform.hides(&Bounds::of(&positions).cuboid, [321, 240])
         };
         assert!(!hides("0", "0", "-5"));
         for (x, y, z) in [

@@ -55,7 +55,7 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V,
             viewport: camera_window(&camera.viewport()),
             choices: PhantomData,
         };
-        seen.is_hidden = L::CUTS && seen.transform.hides(&object.mesh.bounds().cuboid);
+        seen.is_hidden = L::CUTS && seen.transform.hides(&object.mesh.bounds().cuboid, seen.size());
         seen
     }
 
@@ -89,6 +89,17 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V,
 
     pub(super) const fn viewport(&self) -> &Window {
         &self.viewport
+    }
+
+    /// Width and height of the viewport in pixels.
+    const fn size(&self) -> [i32; 2] {
+        let Window {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.viewport;
+        [right - left, bottom - top]
     }
 }
 
@@ -292,7 +303,9 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     fn hides(&self, index: usize) -> bool {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
-            bits & self.transform.beyond(MeshVertex::new(self.tables, index).position())
+            bits & self
+                .transform
+                .beyond(MeshVertex::new(self.tables, index).position(), self.size())
         });
         beyond_all != 0
     }
