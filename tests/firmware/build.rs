@@ -62,7 +62,13 @@ fn link() -> Result<(), Box<dyn Error>> {
             println!("cargo::rustc-link-arg-bins=--defsym=_flash=0x10000000");
             println!("cargo::rustc-link-arg-bins=--defsym=_ram=0x38000000");
         }
-        for program in ["bench", "bench_set_up", "scaling"] {
+        for program in [
+            "bench",
+            "bench_set_up",
+            "bench_frugal",
+            "bench_frugal_set_up",
+            "scaling",
+        ] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
         }
     }

@@ -94,6 +94,18 @@ pub(crate) fn pose(frame: u32) -> Pose {
     Pose::rotated(Rotation::about_x(Angle::turns(30, 512)) * Rotation::about_y(Angle::turns(64 * frame + 20, 512)))
 }
 
+/// The program that measures what bands cost that keep less than all that could be kept from one to the next.
+pub fn frugal<const SET_UP: bool>() {
+    counter::start();
+    console::build();
+    critical_section::with(|token| {
+        let mut bench = Bench::<SET_UP>(&mut MEMORY.borrow_ref_mut(token));
+        #[cfg(models)]
+        bench.frugal_bands("spot-gouraud", &models::SPOT, Gouraud::new(sun()), &view("400", "2.4"));
+        bench.frugal_bands("sphere-flat", &models::SPHERE, Flat::new(sun()), &view("160", "3"));
+    });
+}
+
 struct Bench<'a, const SET_UP: bool>(&'a mut Memory<PIXELS>);
 
 impl<const SET_UP: bool> Bench<'_, SET_UP> {
@@ -106,29 +118,66 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
         camera: &Camera,
     ) {
         let object = Object::new(mesh, shader);
-        for mode in MODES {
-            self.measure::<S4, D, _>((name, "S4"), mode, &object, camera);
-            self.measure::<S8, D, _>((name, "S8"), mode, &object, camera);
+        for Mode { name: mode, rows } in MODES {
+            self.measure::<S4, D, _>([name, "S4", mode], &object, |cost, object, vertices, bins, memory| {
+                cost.add(object, camera, rows, vertices, bins, memory);
+            });
+            self.measure::<S8, D, _>([name, "S8", mode], &object, |cost, object, vertices, bins, memory| {
+                cost.add(object, camera, rows, vertices, bins, memory);
+            });
         }
     }
 
-    fn measure<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>>(
+    /// A scene with depth in bands, without the vertices or the bins or both, in both precisions.
+    fn frugal_bands<Sh: Shader<Color = Rgb565Be>>(&mut self, name: &str, mesh: &Mesh<'_>, shader: Sh, camera: &Camera) {
+        let object = Object::new(mesh, shader);
+        self.frugal_bands_in::<S4, _>(name, "S4", &object, camera);
+        self.frugal_bands_in::<S8, _>(name, "S8", &object, camera);
+    }
+
+    fn frugal_bands_in<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
         &mut self,
-        (scene, precision): (&str, &str),
-        mode: Mode,
+        name: &str,
+        precision: &str,
         object: &Object<'_, Sh>,
         camera: &Camera,
+    ) {
+        let mode = [name, precision, "bands of 16, vertices alone"];
+        self.measure::<S, u16, _>(mode, object, |cost, object, vertices, _, memory| {
+            cost.add_by_vertices(object, camera, BAND_ROWS, vertices, memory);
+        });
+        let mode = [name, precision, "bands of 16, bins alone"];
+        self.measure::<S, u16, _>(mode, object, |cost, object, _, bins, memory| {
+            cost.add_by_bins::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, bins, memory);
+        });
+        let mode = [name, precision, "bands of 16, neither"];
+        self.measure::<S, u16, _>(mode, object, |cost, object, _, _, memory| {
+            cost.add_by_nothing::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, memory);
+        });
+    }
+
+    /// Adds frames by `add`, and prints a line.
+    fn measure<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>>(
+        &mut self,
+        [scene, precision, mode]: [&str; 3],
+        object: &Object<'_, Sh>,
+        mut add: impl FnMut(
+            &mut Cost<SET_UP>,
+            &Object<'_, Sh>,
+            &mut [ScreenVertex<S, D, Sh::Varyings>],
+            &mut [u32],
+            &mut Memory<PIXELS>,
+        ),
     ) {
         let mut vertices = [ScreenVertex::<S, D, Sh::Varyings>::EMPTY; VERTICES];
         let mut bins = [0; bin_words(TRIANGLES, SIZE.height, BAND_ROWS)];
         let mut cost = Cost::<SET_UP>::default();
         for frame in 0..FRAMES {
             let object = object.clone().posed(pose(frame));
-            cost.add(&object, camera, mode.rows, &mut vertices, &mut bins, self.0);
+            add(&mut cost, &object, &mut vertices, &mut bins, self.0);
         }
-        let Mode { name, .. } = mode;
         console::line(format_args!(
-            r#"{{"scene":"{scene}","precision":"{precision}","mode":"{name}",{cost}}}"#
+            r#"{{"scene":"{scene}","precision":"{precision}","mode":"{mode}",{cost}}}"#
         ));
     }
 }

@@ -7,10 +7,10 @@ use core::{
 
 use embedded_graphics_core::primitives::Rectangle;
 use rasterizer::{
-    camera::Camera,
+    camera::{Camera, Perspective},
     geometry::{DepthFormat, NoDepth, ScreenVertex, Subpixel},
     raster::Interpolate,
-    scene::Object,
+    scene::{Object, Projected, Vertices},
     shade::Shader,
     target::{BandAreas, DepthBuffer, Frame, Rgb565Be},
 };
@@ -105,10 +105,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         let seen = object.project(camera, vertices);
         self.vertices += u64::from(start.elapsed());
         let seen = seen.unwrap_or_else(fail);
-        let Ok(()) = seen.for_each_triangle(|_, _| {
-            self.triangles_drawn += 1;
-            Ok::<(), Infallible>(())
-        });
+        self.count(&seen);
         let viewport = camera.viewport();
         if rows < viewport.size.height {
             let start = Moment::now();
@@ -121,6 +118,72 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         } else {
             self.add_area::<D, PIXELS>(memory, viewport, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
         }
+    }
+
+    /// Draws one frame more in bands, without bins: each band looks at all triangles.
+    pub fn add_by_vertices<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        rows: u32,
+        vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
+        memory: &mut Memory<PIXELS>,
+    ) {
+        let start = Moment::now();
+        let seen = object.project(camera, vertices);
+        self.vertices += u64::from(start.elapsed());
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        for area in BandAreas::new(camera.viewport(), rows) {
+            self.add_area::<D, PIXELS>(memory, area, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
+        }
+    }
+
+    /// Draws one frame more in bands, without storage for vertices: those of the triangles in a band are worked out there.
+    pub fn add_by_bins<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        rows: u32,
+        bins: &mut [u32],
+        memory: &mut Memory<PIXELS>,
+    ) {
+        let start = Moment::now();
+        let seen = object.walk::<_, S, D>(camera, S::default()).unwrap_or_else(fail);
+        self.vertices += u64::from(start.elapsed());
+        self.count(&seen);
+        let start = Moment::now();
+        let binned = seen.binned(rows, bins);
+        self.draw += u64::from(start.elapsed());
+        let binned = binned.unwrap_or_else(fail);
+        for area in BandAreas::new(camera.viewport(), rows) {
+            self.add_area::<D, PIXELS>(memory, area, |frame| binned.draw(frame), |nothing| binned.draw(nothing));
+        }
+    }
+
+    /// Draws one frame more in bands with neither: each band works all of the mesh out.
+    pub fn add_by_nothing<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        rows: u32,
+        memory: &mut Memory<PIXELS>,
+    ) {
+        let start = Moment::now();
+        let seen = object.walk::<_, S, D>(camera, S::default()).unwrap_or_else(fail);
+        self.vertices += u64::from(start.elapsed());
+        self.count(&seen);
+        for area in BandAreas::new(camera.viewport(), rows) {
+            self.add_area::<D, PIXELS>(memory, area, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
+        }
+    }
+
+    /// Counts a frame and its triangles.
+    fn count<V: Vertices<Sh::Varyings>, Sh: Shader>(&mut self, seen: &Projected<'_, V, Perspective, Sh>) {
+        let Ok(()) = seen.for_each_triangle(|_, _| {
+            self.triangles_drawn += 1;
+            Ok::<(), Infallible>(())
+        });
         self.frames += 1;
     }
 

@@ -105,9 +105,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     Ok(done)
 }
 
-/// Runs the two bench programs on the cores.
+/// Runs the bench programs on the cores.
 fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
-    let progress = Progress::over(2 * cores.len());
+    let progress = Progress::over(4 * cores.len());
     let mut speed = Speed::default();
     for &core in cores {
         let lines = |program| {
@@ -118,10 +118,16 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
         };
         let (frames, set_up) = (lines("bench")?, lines("bench_set_up")?);
         let conditions = Conditions::of(core, &frames)?;
-        let scenes = scenes(core, &frames, &set_up)?;
+        let mut scenes = scenes_of(core, &frames, &set_up)?;
+        scenes.extend(scenes_of(
+            core,
+            &lines("bench_frugal")?,
+            &lines("bench_frugal_set_up")?,
+        )?);
         let is_wanted =
             |scene: &Scene| wanted.is_empty() || wanted.iter().any(|name| scene.scene.contains(name.as_str()));
         let mut names: Vec<_> = scenes.iter().map(|scene| scene.scene.clone()).collect();
+        names.sort();
         names.dedup();
         let scenes: Vec<_> = scenes.into_iter().filter(is_wanted).collect();
         if scenes.is_empty() {
@@ -141,7 +147,7 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
 }
 
 /// Brings both programs' lines together.
-fn scenes(core: Core, frames: &[String], set_up: &[String]) -> Result<Vec<Scene>> {
+fn scenes_of(core: Core, frames: &[String], set_up: &[String]) -> Result<Vec<Scene>> {
     let (frames, set_up) = (Line::all(frames)?, Line::all(set_up)?);
     let scene = |line: &Line| {
         let set_up = set_up.iter().find(|set_up| set_up.is_same_scene(line));

@@ -132,7 +132,9 @@ pub(crate) fn section(speed: &Speed) -> String {
         "## Speed\n\nInstructions for a frame of 320 x 240, the mean of eight: *clear* sets depth to the far end, \
          *vertices* transforms, lights and projects them, *set-up* culls triangles, sets them up and walks down their \
          rows, *pixels* is the rest: depth test, interpolation, colour. *drawn* counts the pixels that are covered in the \
-         end. *bits* is the precision of vertices: S4 sixteenths of a pixel, S8 256ths. They are instructions, not \
+         end. *bits* is the precision of vertices: S4 sixteenths of a pixel, S8 256ths. Bands keep vertices, and \
+         bins of triangles, from the first to the last; *alone* the other is not kept, and vertices that are not kept are \
+         worked out in *set-up*, when a triangle needs them. They are instructions, not \
          cycles: wait states, divisions and taken branches count as one each. *small3dlib* 0.905d was measured alike; it \
          has no sub-pixels and no light.\n",
     );
