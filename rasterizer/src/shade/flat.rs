@@ -104,3 +104,21 @@ fn darkened<C: From<Rgb888>>(color: Rgb888, level: u32) -> C {
     let channel = |full: u8| ((u32::from(full) * level + (1 << 15)) >> 16) as u8;
     C::from(Rgb888::new(channel(color.r()), channel(color.g()), channel(color.b())))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn channels_are_rounded_to_the_nearest() {
+        for full in 0..=255u8 {
+            for level in (0..=65_536u32).step_by(257).chain([1, 65_535, 65_536]) {
+                let color: Rgb888 = darkened(Rgb888::new(full, 255 - full, 7), level);
+                for (full, got) in [(full, color.r()), (255 - full, color.g()), (7, color.b())] {
+                    let exact = f64::from(full) * f64::from(level) / 65_536.0;
+                    assert!((f64::from(got) - exact).abs() <= 0.5, "{full} at {level}: {got}");
+                }
+            }
+        }
+    }
+}
