@@ -164,7 +164,7 @@ impl<P: Projection> Transform<P> {
         }
     }
 
-    /// A copy.
+    /// A copy, field by field: for one of the whole compilers call `memcpy`, 370 bytes where nothing else does.
     #[inline(always)]
     pub(crate) const fn by_parts(&self) -> Self {
         Self {

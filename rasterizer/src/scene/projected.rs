@@ -179,7 +179,8 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         Ok(())
     }
 
-    /// Makes a surface. A function of its own: on its way to where it stays it takes its size of stack, once or twice.
+    /// Puts a material's surface in place. A function of its own: compilers copy it once or twice on the way, and the stack
+    /// that takes is free again when triangles are drawn.
     #[inline(never)]
     fn prepare(&self, material: &Material, surface: &mut Option<Sh::Surface>) {
         *surface = Some(self.shader.surface(material));

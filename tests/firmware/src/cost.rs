@@ -101,17 +101,11 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         bins: &mut [u32],
         memory: &mut Memory<PIXELS>,
     ) {
-        let start = Moment::now();
-        let seen = object.project(camera, vertices);
-        self.vertices += u64::from(start.elapsed());
-        let seen = seen.unwrap_or_else(fail);
+        let seen = timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
         self.count(&seen);
         let viewport = camera.viewport();
         if rows < viewport.size.height {
-            let start = Moment::now();
-            let binned = seen.binned(rows, bins);
-            self.draw += u64::from(start.elapsed());
-            let binned = binned.unwrap_or_else(fail);
+            let binned = timed(&mut self.draw, || seen.binned(rows, bins)).unwrap_or_else(fail);
             for area in BandAreas::new(viewport, rows) {
                 self.add_area::<D, PIXELS>(memory, area, |frame| binned.draw(frame), |nothing| binned.draw(nothing));
             }
@@ -129,10 +123,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
         memory: &mut Memory<PIXELS>,
     ) {
-        let start = Moment::now();
-        let seen = object.project(camera, vertices);
-        self.vertices += u64::from(start.elapsed());
-        let seen = seen.unwrap_or_else(fail);
+        let seen = timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
         self.count(&seen);
         for area in BandAreas::new(camera.viewport(), rows) {
             self.add_area::<D, PIXELS>(memory, area, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
@@ -148,14 +139,9 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         bins: &mut [u32],
         memory: &mut Memory<PIXELS>,
     ) {
-        let start = Moment::now();
-        let seen = object.walk::<_, S, D>(camera, S::default()).unwrap_or_else(fail);
-        self.vertices += u64::from(start.elapsed());
+        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default())).unwrap_or_else(fail);
         self.count(&seen);
-        let start = Moment::now();
-        let binned = seen.binned(rows, bins);
-        self.draw += u64::from(start.elapsed());
-        let binned = binned.unwrap_or_else(fail);
+        let binned = timed(&mut self.draw, || seen.binned(rows, bins)).unwrap_or_else(fail);
         for area in BandAreas::new(camera.viewport(), rows) {
             self.add_area::<D, PIXELS>(memory, area, |frame| binned.draw(frame), |nothing| binned.draw(nothing));
         }
@@ -169,9 +155,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         rows: u32,
         memory: &mut Memory<PIXELS>,
     ) {
-        let start = Moment::now();
-        let seen = object.walk::<_, S, D>(camera, S::default()).unwrap_or_else(fail);
-        self.vertices += u64::from(start.elapsed());
+        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default())).unwrap_or_else(fail);
         self.count(&seen);
         for area in BandAreas::new(camera.viewport(), rows) {
             self.add_area::<D, PIXELS>(memory, area, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
@@ -197,23 +181,26 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         set_up: impl FnOnce(&mut Nothing<D>) -> Result<(), Infallible>,
     ) {
         if SET_UP {
-            let start = Moment::now();
-            let Ok(()) = set_up(&mut Nothing::new(&area));
-            self.draw += u64::from(start.elapsed());
+            let Ok(()) = timed(&mut self.draw, || set_up(&mut Nothing::new(&area)));
             return;
         }
         let pixels = (area.size.width * area.size.height) as usize;
         let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
         color.fill(Rgb565Be::BLACK);
         let mut frame = D::frame(color, depth, area);
-        let start = Moment::now();
-        frame.clear_depth();
-        self.clear += u64::from(start.elapsed());
-        let start = Moment::now();
-        let Ok(()) = draw(&mut frame);
-        self.draw += u64::from(start.elapsed());
+        timed(&mut self.clear, || frame.clear_depth());
+        let Ok(()) = timed(&mut self.draw, || draw(&mut frame));
         self.pixels_drawn += frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
     }
+}
+
+/// Does some work and adds what it cost to a sum.
+#[inline(always)]
+fn timed<T>(sum: &mut u64, work: impl FnOnce() -> T) -> T {
+    let start = Moment::now();
+    let result = work();
+    *sum += u64::from(start.elapsed());
+    result
 }
 
 /// Ends the program: there is no frame to be measured.
