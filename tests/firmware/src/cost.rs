@@ -5,7 +5,7 @@ use core::{
     fmt::{self, Debug, Display},
 };
 
-use embedded_graphics_core::primitives::Rectangle;
+use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
 use rasterizer::{
     camera::{Camera, Perspective},
     geometry::{DepthFormat, NoDepth, ScreenVertex, Subpixel},
@@ -32,6 +32,9 @@ pub struct Cost<const SET_UP: bool> {
     draw: u64,
     pixels_drawn: u64,
     triangles_drawn: u64,
+    /// Pixels of the smallest rectangle that holds what a frame and the one before it show.
+    pixels_changed: u64,
+    last: Option<Rectangle>,
 }
 
 /// The fields of a JSON object.
@@ -44,6 +47,8 @@ impl<const SET_UP: bool> Display for Cost<SET_UP> {
             draw,
             pixels_drawn,
             triangles_drawn,
+            pixels_changed,
+            last: _,
         } = self;
         write!(
             f,
@@ -51,7 +56,7 @@ impl<const SET_UP: bool> Display for Cost<SET_UP> {
         )?;
         write!(
             f,
-            r#""pixels_drawn":{pixels_drawn},"triangles_drawn":{triangles_drawn}"#
+            r#""pixels_drawn":{pixels_drawn},"triangles_drawn":{triangles_drawn},"pixels_changed":{pixels_changed}"#
         )
     }
 }
@@ -162,12 +167,16 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         }
     }
 
-    /// Counts a frame and its triangles.
+    /// Counts a frame, its triangles, and the pixels that change with it.
     fn count<V: Vertices<Sh::Varyings>, Sh: Shader>(&mut self, seen: &Projected<'_, V, Perspective, Sh>) {
         let Ok(()) = seen.for_each_triangle(|_, _| {
             self.triangles_drawn += 1;
             Ok::<(), Infallible>(())
         });
+        let bounds = seen.bounds();
+        let both = [self.last, bounds].into_iter().flatten().reduce(around);
+        self.pixels_changed += both.map_or(0, |area| u64::from(area.size.width * area.size.height));
+        self.last = bounds;
         self.frames += 1;
     }
 
@@ -192,6 +201,14 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         let Ok(()) = timed(&mut self.draw, || draw(&mut frame));
         self.pixels_drawn += frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
     }
+}
+
+/// The smallest rectangle that holds two.
+fn around(a: Rectangle, b: Rectangle) -> Rectangle {
+    let ends = [a, b].map(|area| area.top_left + area.size);
+    let first = a.top_left.component_min(b.top_left);
+    let size = ends[0].component_max(ends[1]) - first;
+    Rectangle::new(first, Size::new(size.x as u32, size.y as u32))
 }
 
 /// Does some work and adds what it cost to a sum.

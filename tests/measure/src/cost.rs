@@ -14,6 +14,7 @@ pub(crate) struct Cost {
     draw: u64,
     pixels_drawn: u64,
     triangles_drawn: u64,
+    pixels_changed: u64,
 }
 
 impl Cost {
@@ -54,6 +55,11 @@ impl Cost {
     /// Triangles that are left of a frame after culling and clipping.
     pub(crate) const fn triangles_drawn(&self) -> u64 {
         self.mean(self.triangles_drawn)
+    }
+
+    /// Pixels of the rectangle that a frame changes.
+    pub(crate) const fn pixels_changed(&self) -> u64 {
+        self.mean(self.pixels_changed)
     }
 
     /// Refuses sums without a frame or a triangle: they say nothing.

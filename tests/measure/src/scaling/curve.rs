@@ -162,7 +162,7 @@ pub(super) mod tests {
 
     #[test]
     fn a_point_is_made_of_a_line() {
-        let line = r#"{"curve":"cube-widths","at":8,"precision":"S8","frames":4,"clear":99,"vertices":40,"draw":400,"pixels_drawn":104,"triangles_drawn":20}"#;
+        let line = r#"{"curve":"cube-widths","at":8,"precision":"S8","frames":4,"clear":99,"vertices":40,"draw":400,"pixels_drawn":104,"triangles_drawn":20,"pixels_changed":400}"#;
         let points = Point::all(Core::M4, &["opt-level 3".into(), line.into()]).unwrap();
         let point = &points[0];
         assert_eq!(

@@ -52,6 +52,8 @@ pub(crate) struct Scene {
     pub(super) pixels: u64,
     pub(super) pixels_drawn: u64,
     pub(super) triangles_drawn: u64,
+    /// Of the smallest rectangle that holds what this frame and the one before it show.
+    pub(super) pixels_changed: u64,
 }
 
 impl Scene {
@@ -68,6 +70,7 @@ impl Scene {
             pixels: (cost.triangles_and_pixels(core)).saturating_sub(set_up.cost.triangles_and_pixels(core)),
             pixels_drawn: cost.pixels_drawn(),
             triangles_drawn: cost.triangles_drawn(),
+            pixels_changed: cost.pixels_changed(),
         }
     }
 
@@ -91,7 +94,7 @@ pub(super) mod tests {
     use super::*;
     use crate::per_core;
 
-    const FRAMES: &str = r#"{"scene":"cube-flat","precision":"S8","mode":"whole","frames":8,"clear":80,"vertices":16,"draw":800,"pixels_drawn":804,"triangles_drawn":44}"#;
+    const FRAMES: &str = r#"{"scene":"cube-flat","precision":"S8","mode":"whole","frames":8,"clear":80,"vertices":16,"draw":800,"pixels_drawn":804,"triangles_drawn":44,"pixels_changed":1600}"#;
 
     /// Figures of one scene on one core.
     pub(in crate::speed) fn speed(core: Core, scene: &str, frame: u64) -> Speed {
@@ -106,6 +109,7 @@ pub(super) mod tests {
             pixels: frame - 3_000,
             pixels_drawn: 5_000,
             triangles_drawn: 10,
+            pixels_changed: 6_000,
         };
         per_core::tests::of(core, Scenes { scenes: vec![scene] })
     }
@@ -118,7 +122,10 @@ pub(super) mod tests {
         let scene = Scene::new(Core::M33, &frames[0], &set_up[0]);
         assert_eq!((scene.frame, scene.clear, scene.vertices), (5_600, 500, 100));
         assert_eq!((scene.set_up, scene.pixels), (1_875, 3_125));
-        assert_eq!((scene.pixels_drawn, scene.triangles_drawn), (101, 6));
+        assert_eq!(
+            (scene.pixels_drawn, scene.triangles_drawn, scene.pixels_changed),
+            (101, 6, 200)
+        );
         assert_eq!(scene.key(), ["cube-flat", "S8", "whole"]);
     }
 
