@@ -53,8 +53,8 @@ impl Default for Pose {
 }
 
 /// An object too large or too far away for the numbers of a parallel projection: some 2<sup>30</sup> times wider, or farther
-/// away, than the guard band. Long before, its place loses precision: it is known to 2<sup>-29</sup> of its distance from the
-/// camera, or of the model's from its own origin if that is farther, in either projection.
+/// away, than the guard band. Long before, its place loses precision: it is known to 2<sup>-27</sup> of the largest of its
+/// distance from the camera, its model's from its own origin, and how far across it lies in guard bands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PoseError;
 

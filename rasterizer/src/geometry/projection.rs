@@ -71,6 +71,7 @@ impl Sealed for Perspective {
 
     fn depth_range(&self, units: Units) -> [i32; 2] {
         let PerspectiveLens { down } = self.lens(units);
+        // The near distance is one: 2^(30 - down) units. Where 2^30 are less than that, all of the object lies before it.
         [
             BEYOND >> down.min(30),
             self.far_per_near().in_units_of(units.z).min(BEYOND),

@@ -26,7 +26,7 @@ pub(crate) struct ClipVertex<V> {
 
 /// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
 ///
-/// Its entries have 14 bits behind the point of a clip-space unit, and are below 2^28. Where there is no long multiply they
+/// Its entries have 14 bits behind the point of a clip-space unit, and are below 2^29. Where there is no long multiply they
 /// are kept as `high * 2^14 + low`: with positions of 16 bits all products and their sums fit 32 then.
 #[derive(Clone, Copy, Debug)]
 struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
@@ -46,6 +46,7 @@ impl<const PARTS: usize> Row<PARTS> {
             translation: terms.translation.in_units_of(unit),
         };
         for (column, term) in terms.reaches.iter().enumerate() {
+            // For a quantum, a 2^15th of the reach.
             let entry = term.in_units_of(unit + 15 - FRACTION_BITS as i32);
             match row.entries.as_mut_slice() {
                 [whole] => whole[column] = entry << (16 - FRACTION_BITS),
@@ -90,13 +91,13 @@ impl Terms {
     /// Like the rest of what makes a matrix, it is called rather than inlined: for each of three rows, once a frame.
     #[inline(never)]
     fn new(axis: &[i32; 3], magnification: Float, eye: &Vec3, pose: &Pose, tables: &Tables<'_>) -> Self {
-        // Below 2^62 each, as an axis has length one.
         let direction = pose.rotation.turn_back(axis);
         let scale = Float::from_unsigned(pose.scale);
         let offset = Float::new(tables.offset.along(&direction), -46).times(scale);
+        // Each below 2^62, as an axis has length one.
         let way = pose.translation.along(axis) - eye.along(axis);
         let mut reach = scale.times(Float::from_scale(tables.scale)).times(magnification);
-        // Of 2^15 quanta, by a factor in Q30.
+        // From a quantum to the farthest.
         reach.exponent += 15;
         Self {
             reaches: direction.map(|c| Float::new(i64::from(c), -30).times(reach)),

@@ -40,7 +40,7 @@ pub(super) struct Edge {
 impl Edge {
     /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below `top`.
     ///
-    /// Coordinates are sub-pixels, the edge's extents below 2^(12 + S).
+    /// Coordinates are sub-pixels, the edge's extents below 2^(11 + S).
     #[inline(always)]
     pub(super) const fn new<S: Subpixel>(top: [i32; 2], bottom: [i32; 2], row: i32, layout: &Layout) -> Self {
         if IS_NARROW {

@@ -187,13 +187,13 @@ impl<S: Subpixel> TriangleSetup<S> {
         }
     }
 
-    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^64, of an attribute of 16 bits.
+    /// Exactly, whatever the triangle: gradients in Q16, modulo 2^32, of an attribute of 16 bits.
     #[inline(never)]
     fn exact_plane(&self, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let divisor = Divisor::new(self.area.unsigned_abs());
         let gradient = |[p, q]: [i32; 2], [r, s]: [i32; 2]| {
             let numerator = if S::BITS <= 4 {
-                // At most 2^16 times the guard band: products may wrap, their difference does not.
+                // Twice an area in a box of 2^16 - 1 by 2^15 - 1: products may wrap, their difference does not.
                 i64::from(p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s)))
             } else {
                 i64::from(p) * i64::from(q) - i64::from(r) * i64::from(s)
@@ -206,6 +206,7 @@ impl<S: Subpixel> TriangleSetup<S> {
         let ([dx1, dx2], [dy1, dy2]) = (self.dx, self.dy);
         let (x, y) = (gradient([d1, dy2], [d2, dy1]), gradient([d2, dx1], [d1, dx2]));
         let [to_x, to_y] = self.to_anchor;
+        // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units.
         let part = |gradient: i64, to: i32| ((gradient >> S::BITS) as i32).wrapping_mul(to) as u32;
         Plane {
             anchor: middle_of(a).wrapping_add(part(x, to_x)).wrapping_add(part(y, to_y)),

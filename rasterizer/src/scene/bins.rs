@@ -9,7 +9,7 @@ use core::ops::Range;
 use super::{ProjectError, Projected, Vertices};
 use crate::{
     geometry::{ClipAll, Clipping, CullBack, Culling, Projection},
-    numbers::leading_zeros,
+    numbers::{divide, leading_zeros},
     raster::Window,
     shade::Shader,
     target::Target,
@@ -126,8 +126,8 @@ impl Bands {
         };
         let shift = 20 + height.ilog2();
         Self {
-            count: viewport_rows.div_ceil(height) as usize,
-            multiplier: (1u32 << shift).div_ceil(height),
+            count: divide(viewport_rows + height - 1, height) as usize,
+            multiplier: divide((1 << shift) + height - 1, height),
             shift,
         }
     }

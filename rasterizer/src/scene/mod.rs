@@ -128,6 +128,7 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
     ///
     /// [`S4`]: crate::geometry::S4
     /// [`S8`]: crate::geometry::S8
+    // What is on its way to the caller's memory would stay in the caller's stack.
     #[inline(never)]
     pub fn project<'v, P: Projection, S: Subpixel, D: DepthFormat + Interpolate>(
         &self,

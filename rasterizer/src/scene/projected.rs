@@ -167,6 +167,7 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
                 if surface.is_none() {
                     self.prepare(material, &mut surface);
                 }
+                // `prepare` has put it there.
                 let Some(surface) = &surface else { return Ok(()) };
                 let triangle = Triangle::new(corners, area);
                 match self.shader.face(surface, &MeshFace::new(self.tables, index)) {
@@ -330,7 +331,7 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     }
 }
 
-/// The pixels of a camera's viewport, which is nowhere near the ends of `i32`.
+/// The pixels of a camera's viewport, which is nowhere near the ends of `i32`: 40 bytes of flash less than `Window::new`.
 const fn camera_window(viewport: &Rectangle) -> Window {
     let (corner, size) = (viewport.top_left, viewport.size);
     Window {

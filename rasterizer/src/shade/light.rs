@@ -88,13 +88,13 @@ impl Light {
 }
 
 /// Q30 x Q28 to Q28.
-const fn factors(mut toward: [i32; 3], gain: i32) -> [i32; 3] {
-    let mut axis = 0;
+const fn factors(toward: [i32; 3], gain: i32) -> [i32; 3] {
+    let (mut factors, mut axis) = (toward, 0);
     while axis < 3 {
-        toward[axis] = mul_q30(gain, toward[axis]);
+        factors[axis] = mul_q30(gain, toward[axis]);
         axis += 1;
     }
-    toward
+    factors
 }
 
 #[cfg(test)]

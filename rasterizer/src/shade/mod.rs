@@ -2,7 +2,8 @@
 //!
 //! A [`Shader`] is resolved at compile time: the loop over a span's pixels is built for it alone. It works in three
 //! steps, each as rarely as possible: a material becomes a *surface* once for its run of triangles, a vertex gets its
-//! *varyings* once a frame, and a pixel its colour from the surface and the interpolated varyings.
+//! *varyings* once a frame, and a pixel its colour from the surface and the interpolated varyings; or the whole *face* has
+//! one.
 //!
 //! Colours are worked out in the values that pictures store, without a gamma curve, as small displays expect.
 

@@ -32,7 +32,7 @@ use super::{Fill, PixelFill};
 /// # Ok::<(), rasterizer::target::FrameError>(())
 /// ```
 ///
-/// One of 16 bits that is plain data takes [`WordFill`](super::WordFill) instead.
+/// One of 16 bits that is plain data, and aligned like a `u16`, takes [`WordFill`](super::WordFill) instead.
 pub trait StoredColor: PixelColor {
     /// How runs of pixels are set to it.
     type Fill: Fill<Self>;

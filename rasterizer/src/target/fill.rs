@@ -54,7 +54,7 @@ impl<C: Copy> Fill<C> for PixelFill<C> {
             self.block(first);
         }
         if let Some(last) = rest.last_chunk_mut::<16>() {
-            // Addressed from its own start: no core reaches backwards from the end of the rest.
+            // Addressed from its own start: the shortest instructions do not reach backwards from the end of the rest.
             self.block(black_box(last));
         }
     }
@@ -73,7 +73,7 @@ impl<C: Copy> PixelFill<C> {
 }
 
 /// Fills by words of two pixels, in 0.3 to 0.6 instructions a pixel if a run is long: for colours of 16 bits that are plain
-/// data. Others do not compile.
+/// data and lie where a `u16` may. Others do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct WordFill<C> {
     color: C,
@@ -84,6 +84,12 @@ pub struct WordFill<C> {
 impl<C: Pod> Fill<C> for WordFill<C> {
     #[inline(always)]
     fn new(color: C) -> Self {
+        const {
+            assert!(
+                align_of::<C>() == align_of::<u16>(),
+                "half a word before a run must be a whole pixel"
+            );
+        }
         Self {
             color,
             word: bytemuck::must_cast([color; 2]),

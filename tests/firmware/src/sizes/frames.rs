@@ -113,6 +113,25 @@ where
         }
         Some(())
     }
+
+    /// The same with the triangles sorted into the bands.
+    pub(super) fn draw_binned<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling, L: Clipping>(
+        &mut self,
+        bins: &mut [u32],
+        object: &Object<'_, Sh, K, L>,
+        camera: &Camera<P>,
+        display: &mut Display,
+    ) -> Option<()> {
+        let seen = object.project(camera, &mut self.vertices).ok()?;
+        let seen = seen.binned(ROWS, bins).ok()?;
+        for rows in BandAreas::new(Self::PICTURE, ROWS) {
+            let mut band = Frame::new(&mut self.color, &mut self.depth, rows).ok()?;
+            band.clear(Rgb565::BLACK);
+            let Ok(()) = seen.draw(&mut band);
+            let Ok(()) = band.present(display);
+        }
+        Some(())
+    }
 }
 
 impl<S, V, const PIXELS: usize, const VERTICES: usize> Bands<S, NoDepth, V, PIXELS, VERTICES>

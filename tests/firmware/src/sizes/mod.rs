@@ -18,8 +18,8 @@ pub use frames::Bands;
 #[cfg(models)]
 pub use scenes::Spot;
 pub use scenes::{
-    Deep, Empty, Everything, FlatBands, FlatDepth, FlatDirect, GouraudS4, GouraudS8, GouraudUnclipped, GouraudWide,
-    Parallel, Store, UnlitDirect,
+    Deep, Empty, Everything, FlatBands, FlatDepth, FlatDirect, GouraudBinned, GouraudS4, GouraudS8, GouraudUnclipped,
+    GouraudWide, Parallel, Sorted, Store, UnlitDirect,
 };
 
 /// What the display has seen when the scene ended; 0 before, and if it could not be drawn.

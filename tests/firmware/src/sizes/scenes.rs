@@ -11,14 +11,14 @@ use rasterizer::{
     geometry::{ClipAll, ClipNone, Clipping, CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel},
     mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
-    scene::Object,
+    scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Unlit},
     target::{BandAreas, Frame, StoredDepth},
 };
 
 use super::{
     Display, Scene,
-    frames::{Bands, ROWS, View, for_each_view, picture},
+    frames::{Bands, HEIGHT, ROWS, View, for_each_view, picture},
 };
 #[cfg(models)]
 use crate::models::SPOT;
@@ -190,7 +190,36 @@ impl Scene for GouraudS4 {
     }
 }
 
-/// The same without clipping.
+/// The same with the triangles sorted into the bands.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudBinned;
+
+/// What [`GouraudBinned`] draws with.
+#[derive(Debug)]
+pub struct Sorted {
+    bands: Bands<S4, u16, [u16; 1], NARROW, { BALL.vertex_count() }>,
+    bins: [u32; bin_words(BALL.triangle_count(), HEIGHT, ROWS)],
+}
+
+impl Scene for GouraudBinned {
+    type Memory = Sorted;
+
+    const MEMORY: Sorted = Sorted {
+        bands: Bands::EMPTY,
+        bins: [0; bin_words(BALL.triangle_count(), HEIGHT, ROWS)],
+    };
+
+    fn draw(memory: &mut Sorted, display: &mut Display) -> Option<()> {
+        let gouraud = Gouraud::new(LIGHT);
+        for_each_view(|view| {
+            let object = Object::new(&BALL, gouraud).posed(view.pose());
+            let camera = camera(view, PERSPECTIVE, PICTURE)?;
+            memory.bands.draw_binned(&mut memory.bins, &object, &camera, display)
+        })
+    }
+}
+
+/// [`GouraudS4`] without clipping.
 #[derive(Clone, Copy, Debug)]
 pub struct GouraudUnclipped;
 

@@ -77,7 +77,7 @@ const DEPTH: u32 = 4096;
 const SPOT: &str = "spot";
 
 /// The scenes, the smallest first. Each is the program `size_*` of the firmware, with underscores.
-const SCENES: [&str; 13] = [
+const SCENES: [&str; 14] = [
     EMPTY,
     DEEP,
     "unlit-direct",
@@ -86,6 +86,7 @@ const SCENES: [&str; 13] = [
     "flat-depth",
     "gouraud-unclipped",
     "gouraud-s4",
+    "gouraud-binned",
     "gouraud-s8",
     "gouraud-wide",
     "parallel",

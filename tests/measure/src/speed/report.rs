@@ -131,7 +131,7 @@ pub(super) fn changes(before: &Speed, now: &Speed, changes: &[Change]) -> String
 /// For `RESULTS.md`.
 pub(crate) fn section(speed: &Speed) -> String {
     let mut text = String::from(
-        "## Speed\n\nInstructions for a frame of 320 x 240, the mean of eight: *clear* sets depth to the far end, \
+        "## Speed\n\nInstructions for a frame of 320 x 240 in `Rgb565Be`, the mean of eight: *clear* sets depth to the far end, \
          *vertices* transforms, lights and projects them, *set-up* culls triangles, sets them up and walks down their \
          rows, *pixels* is the rest: depth test, interpolation, colour. *drawn* counts the pixels that are covered in the \
          end, *changed* those of the rectangle that holds what this frame and the last one show: of 76,800, they are all \
