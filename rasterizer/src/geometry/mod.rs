@@ -18,6 +18,7 @@ mod clipping;
 mod cull;
 mod pose;
 mod projection;
+mod row;
 mod screen;
 mod transform;
 

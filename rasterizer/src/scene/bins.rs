@@ -124,7 +124,8 @@ impl Bands {
         } else {
             band_rows
         };
-        let shift = 20 + height.ilog2();
+        // Not `ilog2`, which has a panic for 0.
+        let shift = 20 + 31 - leading_zeros(height | 1);
         Self {
             count: divide(viewport_rows + height - 1, height) as usize,
             multiplier: divide((1 << shift) + height - 1, height),
