@@ -1,8 +1,8 @@
 //! What a scene may take, and what it should: the file `budgets.json`.
 //!
-//! A *budget* is what a scene took when it was last saved, rounded up a little, for each core and `opt-level`: taking more
-//! is a fault, if it is the same compiler's code. A *goal* is what the project wants to get down to, at the better of the
-//! levels: it is shown, and that it is not met is no fault. Unwanted code is a fault unless its symbol is *tolerated*.
+//! A *budget* is what a scene took when it was last saved, rounded up a little but not beyond a goal that it meets, for
+//! each core and `opt-level`: taking more is a fault, if it is the same compiler's code. A *goal* is what the project wants
+//! to get down to, at the better of the levels: it is shown, and that it is not met is no fault. Unwanted code is a fault unless its symbol is *tolerated*.
 
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
@@ -158,11 +158,18 @@ impl Budgets {
 
     /// Takes what a scene takes now for its budget.
     pub(crate) fn set(&mut self, core: Core, level: Level, scene: &str, taken: Bytes) {
+        let Bytes { flash, stack, ram } = taken.rounded_up();
+        let within = |kind, taken, rounded: u32| match self.goal(core, scene, kind) {
+            Some(goal) if taken <= goal => rounded.min(goal),
+            _ => rounded,
+        };
+        let budget = Bytes {
+            flash: within(Kind::Flash, taken.flash, flash),
+            stack: within(Kind::Stack, taken.stack, stack),
+            ram: within(Kind::Ram, taken.ram, ram),
+        };
         let levels = self.budgets.entry(core).or_default();
-        levels
-            .entry(level)
-            .or_default()
-            .insert(scene.to_owned(), taken.rounded_up());
+        levels.entry(level).or_default().insert(scene.to_owned(), budget);
     }
 
     /// Says whose code the budgets are taken from.
@@ -184,6 +191,16 @@ mod tests {
         stack: 1_000,
         ram: 1_196,
     };
+
+    #[test]
+    fn a_goal_that_is_met_is_not_given_up() {
+        let goals = r#"{ "goals": [{ "core": "m0plus", "flash": 9970, "stack": 990 }], "tolerated": [], "compiler": "", "budgets": {} }"#;
+        let mut budgets: Budgets = serde_json::from_str(goals).unwrap();
+        budgets.set(Core::M0plus, Level::S, "cube", TAKEN);
+        let Bytes { flash, stack, ram } = *budgets.of(Core::M0plus, Level::S, "cube").unwrap();
+        assert_eq!(flash, 9_970);
+        assert!(stack >= 1_000 && ram >= 1_196);
+    }
 
     #[test]
     fn only_more_than_the_budget_is_too_much() {
