@@ -1,4 +1,5 @@
-//! Writes the models in `host-tools/models` anew: `cargo run -p host-tools --example generate_models`.
+//! Writes the models in `host-tools/models` anew: `cargo run -p host-tools --example
+//! generate_models`.
 
 use std::path::Path;
 

@@ -90,10 +90,7 @@ fn convert_writes_the_static_and_reports() {
     let directory = directory_with("my-cube.obj", CUBE);
     let (path, line) = (directory.path(), "convert my-cube.obj");
     let report = succeed(path, line);
-    assert!(
-        report.contains("Triangles: 12") && report.contains("Flash: "),
-        "{report}"
-    );
+    assert!(report.contains("Triangles: 12") && report.contains("Flash: "), "{report}");
     assert!(report.contains("Wrote my-cube.rs: static MY_CUBE"), "{report}");
     let source = fs::read_to_string(path.join("my-cube.rs")).unwrap();
     assert!(source.contains("pub static MY_CUBE: ::rasterizer::mesh::Mesh<'static>"));
@@ -103,11 +100,9 @@ fn convert_writes_the_static_and_reports() {
         "convert my-cube.obj --json --name hull --normals face --keep-units --crease 0 -o tables.rs",
     ))
     .unwrap();
-    // A cube's eight corners, as no vertex normals part them; 8 x 6 bytes of positions, 12 x 3 of normals and indices.
-    assert_eq!(
-        (&json["model"], &json["output"]),
-        (&"my-cube.obj".into(), &"tables.rs".into())
-    );
+    // A cube's eight corners, as no vertex normals part them; 8 x 6 bytes of positions, 12 x 3 of
+    // normals and indices.
+    assert_eq!((&json["model"], &json["output"]), (&"my-cube.obj".into(), &"tables.rs".into()));
     assert_eq!(
         (&json["name"], &json["vertices"], &json["triangles"]),
         (&"HULL".into(), &8.into(), &12.into())
@@ -115,10 +110,15 @@ fn convert_writes_the_static_and_reports() {
     let flash = &json["flash"];
     assert_eq!((&flash["positions"], &flash["vertex_normals"]), (&48.into(), &0.into()));
     assert_eq!((&flash["face_normals"], &flash["triangles"]), (&36.into(), &36.into()));
-    assert!(json["position_error_max_percent"].is_f64() && json["flash_total"].as_u64() > Some(120));
+    assert!(
+        json["position_error_max_percent"].is_f64() && json["flash_total"].as_u64() > Some(120)
+    );
     assert_eq!(json["warnings"], Value::Array(Vec::new()));
     let source = fs::read_to_string(path.join("tables.rs")).unwrap();
-    assert!(source.contains("pub static HULL:") && source.contains("coordinates kept, a crease angle of 0 degrees"));
+    assert!(
+        source.contains("pub static HULL:")
+            && source.contains("coordinates kept, a crease angle of 0 degrees")
+    );
 }
 
 #[test]
@@ -145,10 +145,7 @@ fn warnings_go_to_the_standard_error() {
     let output = run(directory.path(), "convert a.obj --json");
     assert_eq!(output.status.code(), Some(0));
     let complaint = text(&output.stderr);
-    assert!(
-        complaint.starts_with("warning: ") && complaint.contains("none.mtl"),
-        "{complaint}"
-    );
+    assert!(complaint.starts_with("warning: ") && complaint.contains("none.mtl"), "{complaint}");
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(json["warnings"].as_array().unwrap().len(), 1);
 }
@@ -246,20 +243,16 @@ fn check_prints_one_json_object_and_writes_three_pictures() {
         let (width, height, ..) = decode(&path.join(name));
         assert_eq!((width, height), (40, 30));
     }
-    let (fixed, reference) = (
-        decode(&path.join("a-check/fixed.png")).3,
-        decode(&path.join("a-check/reference.png")).3,
-    );
-    let differing = fixed
-        .iter()
-        .zip(&reference)
-        .filter(|(a, b)| a.abs_diff(**b) > 2)
-        .count();
+    let (fixed, reference) =
+        (decode(&path.join("a-check/fixed.png")).3, decode(&path.join("a-check/reference.png")).3);
+    let differing = fixed.iter().zip(&reference).filter(|(a, b)| a.abs_diff(**b) > 2).count();
     // A few pixels at edges; an upside-down or shifted picture would differ in hundreds.
     assert!(differing < fixed.len() / 50, "{differing} of {} bytes", fixed.len());
 
     fs::create_dir(path.join("target")).unwrap();
-    let json: Value = serde_json::from_str(&succeed(path, "check a.obj --json --orthographic 2 --size 9x9")).unwrap();
+    let json: Value =
+        serde_json::from_str(&succeed(path, "check a.obj --json --orthographic 2 --size 9x9"))
+            .unwrap();
     assert_eq!(json["pictures"]["fixed"], "target/check/a/fixed.png");
     assert_eq!(
         (&json["settings"]["height"], &json["settings"]["fov"]),
@@ -299,10 +292,7 @@ fn without_a_command_everything_is_made() {
     for name in names("a") {
         assert!(path.join(&name).is_file() && told.contains(&name), "{name}: {told}");
     }
-    assert!(
-        told.contains("Coverage mismatches") && told.contains("draw `a::A`"),
-        "{told}"
-    );
+    assert!(told.contains("Coverage mismatches") && told.contains("draw `a::A`"), "{told}");
     let told = succeed(path, "");
     for name in names("rocket") {
         assert!(path.join(&name).is_file() && told.contains(&name), "{name}: {told}");
@@ -376,29 +366,18 @@ fn devices_are_not_replaced() {
 fn paths_need_not_be_utf8() {
     use std::os::unix::ffi::OsStrExt as _;
     let directory = tempfile::tempdir().unwrap();
-    let name = |ending: &[u8]| std::ffi::OsStr::from_bytes(&[b"caf\xE9", ending].concat()).to_owned();
+    let name =
+        |ending: &[u8]| std::ffi::OsStr::from_bytes(&[b"caf\xE9", ending].concat()).to_owned();
     fs::write(directory.path().join(name(b".obj")), CUBE).unwrap();
     for command in ["convert", "render", "check"] {
-        let output = program(directory.path())
-            .arg(command)
-            .arg(name(b".obj"))
-            .output()
-            .unwrap();
-        assert_eq!(
-            output.status.code(),
-            Some(0),
-            "{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
+        let output = program(directory.path()).arg(command).arg(name(b".obj")).output().unwrap();
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     }
     for result in [name(b".rs"), name(b".png"), name(b"-check/fixed.png")] {
         assert!(directory.path().join(&result).is_file(), "{}", result.display());
     }
-    let output = program(directory.path())
-        .args(["check", "--json"])
-        .arg(name(b".obj"))
-        .output()
-        .unwrap();
+    let output =
+        program(directory.path()).args(["check", "--json"]).arg(name(b".obj")).output().unwrap();
     let json: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(json["model"], "caf\u{FFFD}.obj");
 }
@@ -416,11 +395,7 @@ fn a_closed_pipe_is_no_fault() {
         drop(child.stdout.take());
         let mut complaint = String::new();
         child.stderr.take().unwrap().read_to_string(&mut complaint).unwrap();
-        assert_eq!(
-            (child.wait().unwrap().code(), complaint.as_str()),
-            (Some(0), ""),
-            "{line}"
-        );
+        assert_eq!((child.wait().unwrap().code(), complaint.as_str()), (Some(0), ""), "{line}");
     }
 }
 
@@ -436,7 +411,8 @@ fn help_shows_examples() {
 #[test]
 fn the_worst_frame_is_the_one_reported() {
     // Not a cube: all its faces would look alike. A wedge whose slope is steep.
-    let wedge = "v -1 -1 -1\nv 1 -1 -0.7\nv 0.3 1 -1\nv 0.1 0.2 1.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+    let wedge =
+        "v -1 -1 -1\nv 1 -1 -0.7\nv 0.3 1 -1\nv 0.1 0.2 1.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     let directory = directory_with("a.obj", wedge);
     let check = |line: &str| -> Value {
         let line = format!("check a.obj --json --subpixel 4 --size 200x150 {line}");
@@ -444,19 +420,16 @@ fn the_worst_frame_is_the_one_reported() {
     };
     let badness = |json: &Value| {
         ["arithmetic", "end_to_end"].map(|side| {
-            ["coverage_mismatches", "color_max_error", "depth_max_ulp"].map(|key| json[side][key].as_f64().unwrap())
+            ["coverage_mismatches", "color_max_error", "depth_max_ulp"]
+                .map(|key| json[side][key].as_f64().unwrap())
         })
     };
-    let single: Vec<_> = [30, 102, 174, 246, 318]
-        .map(|yaw| badness(&check(&format!("--yaw {yaw}"))))
-        .into();
+    let single: Vec<_> =
+        [30, 102, 174, 246, 318].map(|yaw| badness(&check(&format!("--yaw {yaw}")))).into();
     let worst = check("--frames 5");
     let frame = worst["frame"].as_u64().unwrap() as usize;
     assert_eq!(badness(&worst), single[frame]);
-    assert!(
-        single.iter().all(|other| *other <= single[frame]),
-        "{frame} of {single:?}"
-    );
+    assert!(single.iter().all(|other| *other <= single[frame]), "{frame} of {single:?}");
     assert!(
         single.iter().any(|other| *other != single[frame]),
         "{single:?} leave nothing to choose"

@@ -33,11 +33,7 @@ impl Shader for Contours {
         [vertex.position()[1] as u16 ^ 0x8000]
     }
     fn pixel(&self, surface: &Gray8, [height]: [U16F16; 1]) -> Gray8 {
-        if height.to_bits() >> 28 & 1 == 0 {
-            *surface
-        } else {
-            Gray8::BLACK
-        }
+        if height.to_bits() >> 28 & 1 == 0 { *surface } else { Gray8::BLACK }
     }
 }
 
@@ -76,14 +72,8 @@ static CUBE: Mesh<'static> = Mesh::new_const(Tables {
         [0, 5, 4],
     ]),
     materials: &[
-        Material {
-            color: [255, 0, 0],
-            triangle_count: 4,
-        },
-        Material {
-            color: [120, 0, 0],
-            triangle_count: 8,
-        },
+        Material { color: [255, 0, 0], triangle_count: 4 },
+        Material { color: [120, 0, 0], triangle_count: 8 },
     ],
 });
 
@@ -99,14 +89,14 @@ pub(crate) fn picture() -> Result<String, Box<dyn std::error::Error>> {
     let screen = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
     let lens = Perspective::new(Angle::degrees(50), NEAR, FAR)?;
     let camera = Camera::at(EYE, Rotation::IDENTITY, lens, screen)?;
-    let pose = Pose::rotated(Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::degrees(30)));
+    let pose = Pose::rotated(
+        Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::degrees(30)),
+    );
 
     let (mut color, mut depth) = ([Gray8::new(40); PIXELS], [0u16; PIXELS]);
     let mut storage = [ScreenVertex::<S4, _, _>::EMPTY; 8];
     let mut frame = Frame::new(&mut color, &mut depth, screen)?;
-    Object::new(&CUBE, Contours)
-        .posed(pose)
-        .draw(&camera, &mut storage, &mut frame)?;
+    Object::new(&CUBE, Contours).posed(pose).draw(&camera, &mut storage, &mut frame)?;
 
     let text = |row: &[Gray8]| -> String {
         let shade = |pixel: &Gray8| match pixel.luma() {

@@ -1,9 +1,10 @@
 //! A fixed-point 3D rasterizer for microcontrollers, drawing through [`embedded-graphics`].
 //!
-//! It needs no heap, no FPU and no operating system. A model is a [`Mesh`] of constant tables in flash, made from an OBJ
-//! file by the `host-tools` of this project. The caller owns all memory: a colour and a depth buffer for the picture or
-//! for a band of its rows (4 bytes a pixel with RGB565 and 16-bit depth), 8 to 16 bytes for each vertex of the largest
-//! mesh, or none, and a bit for each of its triangles and bands.
+//! It needs no heap, no FPU and no operating system. A model is a [`Mesh`] of constant tables in
+//! flash, made from an OBJ file by the `host-tools` of this project. The caller owns all memory: a
+//! colour and a depth buffer for the picture or for a band of its rows (4 bytes a pixel with RGB565
+//! and 16-bit depth), 8 to 16 bytes for each vertex of the largest mesh, or none, and a bit for
+//! each of its triangles and bands.
 //!
 //! # Example
 //!
@@ -52,22 +53,25 @@
 //!     .chunks(16)
 //!     .map(|row| row.iter().map(|&p| if p == Rgb565::BLACK { '.' } else { '#' }).collect())
 //!     .collect();
-//! assert_eq!(picture, [
-//!     ".......####.....",
-//!     "....#######.....",
-//!     "....#######.....",
-//!     "....########....",
-//!     "....########....",
-//!     ".....#######....",
-//!     ".....#######....",
-//!     ".....####.......",
-//! ]);
+//! assert_eq!(
+//!     picture,
+//!     [
+//!         ".......####.....",
+//!         "....#######.....",
+//!         "....#######.....",
+//!         "....########....",
+//!         "....########....",
+//!         ".....#######....",
+//!         ".....#######....",
+//!         ".....####.......",
+//!     ]
+//! );
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
 //! On a device the last step is `frame.present(&mut display)`, for any
-//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget). Where there is no room for all pixels, the same goes
-//! in bands of rows:
+//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget). Where there is no room for all
+//! pixels, the same goes in bands of rows:
 //!
 //! ```
 //! # use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -133,7 +137,8 @@
 //!
 //! # Choices are types
 //!
-//! What a scene needs is said in types, resolved at compile time, and what it does not need is not in its firmware.
+//! What a scene needs is said in types, resolved at compile time, and what it does not need is not
+//! in its firmware.
 //!
 //! | choice | by | |
 //! |---|---|---|
@@ -162,15 +167,17 @@
 //! * The camera looks along its own -z. Front faces run counter-clockwise on the screen.
 //! * Vectors are columns, matrices multiply from the left: `(a * b) * v` turns v by b, then by a.
 //! * Angles are turns in Q0.32; positive ones turn x to y about z, y to z about x, z to x about y.
-//! * A pixel is covered if its centre is inside a triangle; a centre on an edge belongs to the triangle whose top or left
-//!   edge it is. So triangles that share an edge share no pixel and leave none out, whatever is blended or counted. This
-//!   is decided exactly, on the snapped vertices; a vertex in the middle of another triangle's edge (a T-junction) may
-//!   leave a gap one pixel wide, as snapping moves it off the edge.
-//! * Depth is near / w: 1 on the near plane, 0 infinitely far away; larger is nearer, the buffer is cleared to 0, and what
-//!   was drawn first wins a tie.
-//! * What lies before the near plane or beyond the far plane is not seen, and triangles that reach there, or more than 1,024
-//!   pixels from the viewport's middle, are cut. An object that never does is drawn without the code for it, 2 to 3 KB, if
-//!   one says so: `object.clipped(ClipNone)`. A triangle that reaches beyond all the same is then left out whole.
+//! * A pixel is covered if its centre is inside a triangle; a centre on an edge belongs to the
+//!   triangle whose top or left edge it is. So triangles that share an edge share no pixel and
+//!   leave none out, whatever is blended or counted. This is decided exactly, on the snapped
+//!   vertices; a vertex in the middle of another triangle's edge (a T-junction) may leave a gap one
+//!   pixel wide, as snapping moves it off the edge.
+//! * Depth is near / w: 1 on the near plane, 0 infinitely far away; larger is nearer, the buffer is
+//!   cleared to 0, and what was drawn first wins a tie.
+//! * What lies before the near plane or beyond the far plane is not seen, and triangles that reach
+//!   there, or more than 1,024 pixels from the viewport's middle, are cut. An object that never
+//!   does is drawn without the code for it, 2 to 3 KB, if one says so: `object.clipped(ClipNone)`.
+//!   A triangle that reaches beyond all the same is then left out whole.
 //! * Colours are worked out in the values that pictures store, without a gamma curve.
 //!
 //! # Numbers
@@ -184,19 +191,20 @@
 //! | depth | Q0.16 or Q0.32, stepped with 16 or 18 more bits | 1 unit of the format |
 //! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
 //!
-//! Any finite input gives the right picture or an error value before the first pixel: triangles that leave the guard band
-//! of ±1,024 pixels, the near plane or the far plane are clipped, in every shading mode. With
-//! [`ClipNone`](geometry::ClipNone) these triangles are missing, and nothing else.
+//! Any finite input gives the right picture or an error value before the first pixel: triangles
+//! that leave the guard band of ±1,024 pixels, the near plane or the far plane are clipped, in
+//! every shading mode. With [`ClipNone`](geometry::ClipNone) these triangles are missing, and
+//! nothing else.
 //!
 //! # Not supported
 //!
-//! * Textures, blending, fog and antialiasing; lines and points. Meshes can carry texture coordinates, no shader reads
-//!   them.
+//! * Textures, blending, fog and antialiasing; lines and points. Meshes can carry texture
+//!   coordinates, no shader reads them.
 //! * Perspective-correct varyings: light levels are interpolated linearly on the screen.
 //! * Non-uniform scaling of objects.
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
-//! * Vertices kept across the bands of a frame for several objects in one storage: each has its own, or none
-//!   ([`Object::walk`](scene::Object::walk)).
+//! * Vertices kept across the bands of a frame for several objects in one storage: each has its
+//!   own, or none ([`Object::walk`](scene::Object::walk)).
 //!
 //! # Features
 //!

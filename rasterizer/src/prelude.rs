@@ -2,7 +2,9 @@
 
 pub use crate::{
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{ClipAll, ClipNone, CullBack, CullFront, CullNone, NoDepth, Pose, S4, S8, ScreenVertex},
+    geometry::{
+        ClipAll, ClipNone, CullBack, CullFront, CullNone, NoDepth, Pose, S4, S8, ScreenVertex,
+    },
     mesh::Mesh,
     numbers::{Angle, Rotation, Scalar, Vec3},
     scene::{Needs, Object},

@@ -21,7 +21,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         )?;
     }
 
-    // The bench scenes: two bodies that are a formula, and two models that are not the project's own.
+    // The bench scenes: two bodies that are a formula, and two models that are not the project's
+    // own.
     fs::write(out.join("cube.obj"), cube())?;
     fs::write(out.join("sphere.obj"), sphere(24, 13)?)?;
     convert_for_build(out.join("cube.obj"), &options)?;
@@ -29,11 +30,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rustc-check-cfg=cfg(models)");
     println!("cargo::rerun-if-env-changed=RASTERIZER_MODELS");
     if let Some(folder) = env::var_os("RASTERIZER_MODELS") {
-        // Smooth all over, so that it has one vertex for each of the file's, as the rivals' figures do.
-        let smooth = Options {
-            crease_degrees: 180.0,
-            ..options
-        };
+        // Smooth all over, so that it has one vertex for each of the file's, as the rivals' figures
+        // do.
+        let smooth = Options { crease_degrees: 180.0, ..options };
         for name in ["spot", "suzanne"] {
             convert_for_build(Path::new(&folder).join(name).with_extension("obj"), &smooth)?;
         }
@@ -45,8 +44,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     link()
 }
 
-/// Where the board that QEMU runs the programs on has its memory. Cortex-M programs have that of `memory.x`, an RP2040's,
-/// unless they need more or the board has it elsewhere.
+/// Where the board that QEMU runs the programs on has its memory. Cortex-M programs have that of
+/// `memory.x`, an RP2040's, unless they need more or the board has it elsewhere.
 fn link() -> Result<(), Box<dyn Error>> {
     if env::var("CARGO_CFG_TARGET_OS")? != "none" {
         return Ok(());
@@ -62,13 +61,7 @@ fn link() -> Result<(), Box<dyn Error>> {
             println!("cargo::rustc-link-arg-bins=--defsym=_flash=0x10000000");
             println!("cargo::rustc-link-arg-bins=--defsym=_ram=0x38000000");
         }
-        for program in [
-            "bench",
-            "bench_set_up",
-            "bench_frugal",
-            "bench_frugal_set_up",
-            "scaling",
-        ] {
+        for program in ["bench", "bench_set_up", "bench_frugal", "bench_frugal_set_up", "scaling"] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
         }
     }
@@ -86,7 +79,8 @@ fn sphere(around: usize, down: usize) -> Result<String, std::fmt::Error> {
     let mut obj = String::from("v 0 1 0\nv 0 -1 0\n");
     for row in 1..down {
         for column in 0..around {
-            let (latitude, longitude) = (PI * row as f64 / down as f64, TAU * column as f64 / around as f64);
+            let (latitude, longitude) =
+                (PI * row as f64 / down as f64, TAU * column as f64 / around as f64);
             let (ring, y) = latitude.sin_cos();
             writeln!(obj, "v {} {y} {}", ring * longitude.sin(), ring * longitude.cos())?;
         }

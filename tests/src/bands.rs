@@ -58,13 +58,11 @@ pub const fn light() -> Light {
 /// A ball of 588 triangles and a radius of 1.
 #[must_use]
 pub fn ball() -> Surface {
-    Surface::ball(16_384, 7)
-        .scaled(-14)
-        .with_vertex_normals()
-        .colored([250, 220, 150])
+    Surface::ball(16_384, 7).scaled(-14).with_vertex_normals().colored([250, 220, 150])
 }
 
-/// The materials of a mesh of 588 triangles: runs that begin and end anywhere in words of 32, one of them empty.
+/// The materials of a mesh of 588 triangles: runs that begin and end anywhere in words of 32, one
+/// of them empty.
 pub const MATERIALS: [Material; 6] = {
     const fn material(color: [u8; 3], triangle_count: u32) -> Material {
         Material { color, triangle_count }
@@ -86,18 +84,16 @@ pub const MATERIALS: [Material; 6] = {
 /// If that is no number.
 #[must_use]
 pub fn at(z: &str, viewport: Rectangle) -> Camera<Perspective> {
-    // From inside, what is beside the camera is more than 1,024 pixels away from the picture's middle.
-    let near = if z < "1" {
-        Distance::lit("0.004")
-    } else {
-        Distance::lit("0.25")
-    };
+    // From inside, what is beside the camera is more than 1,024 pixels away from the picture's
+    // middle.
+    let near = if z < "1" { Distance::lit("0.004") } else { Distance::lit("0.25") };
     let lens = Perspective::new(Angle::degrees(70), near, Distance::lit("10")).unwrap();
     let eye = Vec3::new(Scalar::lit("0.1"), Scalar::lit("0.2"), z.parse().unwrap());
     Camera::at(eye, Rotation::about_x(-Angle::degrees(8)), lens, viewport).unwrap()
 }
 
-/// All of the ball; cut by the picture's edges; by the near plane; from inside; there, with vertices beyond the guard band.
+/// All of the ball; cut by the picture's edges; by the near plane; from inside; there, with
+/// vertices beyond the guard band.
 pub const EYES: [&str; 5] = ["3", "1.7", "1.2", "0.9", "0.18"];
 
 /// A display that keeps its pixels.
@@ -140,19 +136,21 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
         for Pixel(point, color) in pixels {
             let from_corner = point - self.area.top_left;
-            let index = from_corner.y as usize * self.area.size.width as usize + from_corner.x as usize;
+            let index =
+                from_corner.y as usize * self.area.size.width as usize + from_corner.x as usize;
             self.pixels[index] = Some(color);
         }
         Ok(())
     }
 
-    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
         let mut colors = colors.into_iter();
-        let pixels = area
-            .points()
-            .zip(colors.by_ref())
-            .map(|(p, c)| Pixel(p, c))
-            .collect::<Vec<_>>();
+        let pixels =
+            area.points().zip(colors.by_ref()).map(|(p, c)| Pixel(p, c)).collect::<Vec<_>>();
         assert_eq!(pixels.len(), area.size.width as usize * area.size.height as usize);
         assert!(colors.next().is_none(), "colours beyond {area:?}");
         self.draw_iter(pixels)
@@ -176,7 +174,8 @@ macro_rules! stored {
         impl Depth for $depth {
             type Buffer = &'static mut [$depth];
             fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self::Buffer> {
-                Bands::new(area, memory(area, rows, BACKGROUND), memory(area, rows, 0).leak()).unwrap()
+                Bands::new(area, memory(area, rows, BACKGROUND), memory(area, rows, 0).leak())
+                    .unwrap()
             }
         }
     };

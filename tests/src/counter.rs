@@ -10,7 +10,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
-/// It may lie anywhere, and panics if it is drawn on outside its area: a rasterizer has to stay inside.
+/// It may lie anywhere, and panics if it is drawn on outside its area: a rasterizer has to stay
+/// inside.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Counter<C> {
     area: Rectangle,
@@ -78,7 +79,11 @@ impl<C: PixelColor> DrawTarget for Counter<C> {
         Ok(())
     }
 
-    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), Infallible> {
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
         let pixels = colors.into_iter().count();
         assert_eq!(pixels, area.size.width as usize * area.size.height as usize, "{area:?}");
         self.count(area);

@@ -9,42 +9,17 @@ use rasterizer::{
 
 use crate::{Random, Surface, area};
 
-const COORDINATES: [i16; 11] = [
-    i16::MIN,
-    i16::MIN + 1,
-    -16_384,
-    -255,
-    -1,
-    0,
-    1,
-    2,
-    4096,
-    i16::MAX - 1,
-    i16::MAX,
-];
+const COORDINATES: [i16; 11] =
+    [i16::MIN, i16::MIN + 1, -16_384, -255, -1, 0, 1, 2, 4096, i16::MAX - 1, i16::MAX];
 /// In 65,536ths.
-const PLACES: [i32; 11] = [
-    i32::MIN,
-    i32::MIN + 1,
-    -(1 << 30),
-    -(3 << 16),
-    -1,
-    0,
-    1,
-    1 << 15,
-    5 << 16,
-    1 << 24,
-    i32::MAX,
-];
+const PLACES: [i32; 11] =
+    [i32::MIN, i32::MIN + 1, -(1 << 30), -(3 << 16), -1, 0, 1, 1 << 15, 5 << 16, 1 << 24, i32::MAX];
 /// In 65,536ths.
-const DISTANCES: [u32; 10] = [1, 2, 3, 700, 6553, 1 << 16, 3 << 16, 1000 << 16, u32::MAX - 1, u32::MAX];
+const DISTANCES: [u32; 10] =
+    [1, 2, 3, 700, 6553, 1 << 16, 3 << 16, 1000 << 16, u32::MAX - 1, u32::MAX];
 
 const fn coordinate(random: &mut Random) -> i16 {
-    if random.coin() {
-        random.pick(&COORDINATES)
-    } else {
-        random.bits() as i16
-    }
+    if random.coin() { random.pick(&COORDINATES) } else { random.bits() as i16 }
 }
 
 /// A point: at an end of the range, on an axis, or in any magnitude.
@@ -67,7 +42,9 @@ const fn angle(random: &mut Random) -> Angle {
 }
 
 fn rotation(random: &mut Random) -> Rotation {
-    Rotation::about_z(angle(random)) * Rotation::about_x(angle(random)) * Rotation::about_y(angle(random))
+    Rotation::about_z(angle(random))
+        * Rotation::about_x(angle(random))
+        * Rotation::about_y(angle(random))
 }
 
 /// A few triangles on a few vertices, some of them without area.
@@ -79,14 +56,11 @@ fn surface(random: &mut Random) -> Surface {
         [coordinate(random), coordinate(random), z].map(|c| c >> range)
     });
     let positions = positions.collect();
-    let triangles = (0..random.within(1, 5)).map(|_| [(); 3].map(|()| random.within(0, vertices - 1) as u16));
+    let triangles =
+        (0..random.within(1, 5)).map(|_| [(); 3].map(|()| random.within(0, vertices - 1) as u16));
     let mut surface = Surface::new(positions, triangles.collect());
     let mantissa = random.pick(&[1, 1 << 31, u32::MAX, 0xABCD_EF01]);
-    let exponent = if random.coin() {
-        random.within(-40, 15)
-    } else {
-        random.within(-16, 0)
-    };
+    let exponent = if random.coin() { random.within(-40, 15) } else { random.within(-16, 0) };
     // From 2^-40 to nearly 2^16 units a quantum.
     surface.scale = Scale::new(mantissa | 1 << 31, exponent - 31);
     surface.offset = place(random);
@@ -138,7 +112,8 @@ pub fn depth_range(random: &mut Random) -> [Distance; 2] {
     }
 }
 
-/// A lens: from a thousandth of a degree to just under half a turn, or any focal length; from 1 / 65,536 to 65,535.
+/// A lens: from a thousandth of a degree to just under half a turn, or any focal length; from 1 /
+/// 65,536 to 65,535.
 ///
 /// # Panics
 ///
@@ -197,12 +172,7 @@ pub fn stage(random: &mut Random) -> Stage {
         let away = (random.bits() as u32 >> random.within(1, 20)) as i32;
         pose.translation + rotation.apply(Vec3::from_bits([0, 0, away]))
     };
-    Stage {
-        surface,
-        pose,
-        eye,
-        rotation,
-    }
+    Stage { surface, pose, eye, rotation }
 }
 
 impl Stage {

@@ -28,7 +28,8 @@ use std::{
 /// If the folder cannot be read or holds none: a test that finds nothing to test must not pass.
 #[must_use]
 pub fn obj_files(folder: &Path) -> Vec<PathBuf> {
-    let entries = fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
+    let entries =
+        fs::read_dir(folder).unwrap_or_else(|error| panic!("{}: {error}", folder.display()));
     let mut files: Vec<_> = entries
         .map(|entry| entry.expect("a directory entry can be read").path())
         .filter(|path| path.extension().is_some_and(|e| e == "obj"))
@@ -47,5 +48,6 @@ pub fn shipped_models() -> Vec<PathBuf> {
 /// The models of the folder that `RASTERIZER_MODELS` names; none if it is not set.
 #[must_use]
 pub fn other_models() -> Vec<PathBuf> {
-    std::env::var_os("RASTERIZER_MODELS").map_or_else(Vec::new, |folder| obj_files(Path::new(&folder)))
+    std::env::var_os("RASTERIZER_MODELS")
+        .map_or_else(Vec::new, |folder| obj_files(Path::new(&folder)))
 }

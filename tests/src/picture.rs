@@ -26,11 +26,7 @@ impl<C: StoredColor, D: StoredDepth> Picture<C, D> {
     #[must_use]
     pub fn empty(area: Rectangle, background: C) -> Self {
         let pixels = area.size.width as usize * area.size.height as usize;
-        Self {
-            area,
-            color: vec![background; pixels],
-            depth: vec![D::ZERO; pixels],
-        }
+        Self { area, color: vec![background; pixels], depth: vec![D::ZERO; pixels] }
     }
 
     /// Draws an object over it.
@@ -38,7 +34,12 @@ impl<C: StoredColor, D: StoredDepth> Picture<C, D> {
     /// # Panics
     ///
     /// If the object cannot be drawn.
-    pub fn draw<P: Projection, Sh: Shader<Color = C>>(&mut self, mesh: &Mesh<'_>, shader: Sh, camera: &Camera<P>) {
+    pub fn draw<P: Projection, Sh: Shader<Color = C>>(
+        &mut self,
+        mesh: &Mesh<'_>,
+        shader: Sh,
+        camera: &Camera<P>,
+    ) {
         let mut storage = vec![ScreenVertex::<S8, D, Sh::Varyings>::EMPTY; mesh.vertex_count()];
         let frame = Frame::new(&mut self.color, &mut self.depth, self.area);
         let mut frame = frame.expect("the buffers fit the area");

@@ -1,4 +1,5 @@
-//! Random numbers that are the same on every host: `SplitMix64` (Steele, Lea and Flood, OOPSLA 2014).
+//! Random numbers that are the same on every host: `SplitMix64` (Steele, Lea and Flood, OOPSLA
+//! 2014).
 
 /// A generator with 64 bits of state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

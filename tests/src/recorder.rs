@@ -1,7 +1,8 @@
 //! A display that writes down what it is asked for, and breaks when it is told to.
 
 use embedded_graphics::{
-    Pixel, draw_target::DrawTarget, geometry::Dimensions, pixelcolor::PixelColor, primitives::Rectangle,
+    Pixel, draw_target::DrawTarget, geometry::Dimensions, pixelcolor::PixelColor,
+    primitives::Rectangle,
 };
 
 /// What a display was asked for.
@@ -39,11 +40,7 @@ impl<C: PixelColor> Recorder<C> {
     /// A display of which the first `calls` calls succeed.
     #[must_use]
     pub const fn failing_after(area: Rectangle, calls: usize) -> Self {
-        Self {
-            area,
-            calls: Vec::new(),
-            works_for: calls,
-        }
+        Self { area, calls: Vec::new(), works_for: calls }
     }
 
     /// What it was asked for.
@@ -54,11 +51,7 @@ impl<C: PixelColor> Recorder<C> {
 
     fn record(&mut self, call: Call<C>) -> Result<(), BusError> {
         self.calls.push(call);
-        if self.calls.len() > self.works_for {
-            Err(BusError)
-        } else {
-            Ok(())
-        }
+        if self.calls.len() > self.works_for { Err(BusError) } else { Ok(()) }
     }
 }
 
@@ -76,7 +69,11 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
         self.record(Call::Iter(pixels.into_iter().collect()))
     }
 
-    fn fill_contiguous<I: IntoIterator<Item = C>>(&mut self, area: &Rectangle, colors: I) -> Result<(), BusError> {
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), BusError> {
         self.record(Call::Contiguous(*area, colors.into_iter().collect()))
     }
 

@@ -29,8 +29,8 @@ pub const fn area(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
     Rectangle::new(Point::new(x, y), Size::new(width, height))
 }
 
-/// A camera on the z axis that shows one unit as one pixel: with a quantum of 2<sup>-S</sup> units, positions are
-/// sub-pixels from the viewport's middle, y upwards.
+/// A camera on the z axis that shows one unit as one pixel: with a quantum of 2<sup>-S</sup> units,
+/// positions are sub-pixels from the viewport's middle, y upwards.
 ///
 /// # Panics
 ///
@@ -38,8 +38,10 @@ pub const fn area(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
 #[must_use]
 pub fn pixel_camera(viewport: Rectangle) -> Camera<Orthographic> {
     let height = Distance::from_num(viewport.size.height);
-    let lens = Orthographic::new(height, Distance::ONE, Distance::lit("100")).expect("the distances are in order");
-    Camera::at(Vec3::lit("0", "0", "50"), Rotation::IDENTITY, lens, viewport).expect("the viewport is not too large")
+    let lens = Orthographic::new(height, Distance::ONE, Distance::lit("100"))
+        .expect("the distances are in order");
+    Camera::at(Vec3::lit("0", "0", "50"), Rotation::IDENTITY, lens, viewport)
+        .expect("the viewport is not too large")
 }
 
 /// A mesh before a camera.
@@ -57,17 +59,11 @@ impl<'a, P: Projection> Scene<'a, P> {
     /// The mesh as it was built.
     #[must_use]
     pub const fn new(mesh: &'a Mesh<'a>, camera: Camera<P>) -> Self {
-        Self {
-            mesh,
-            pose: Pose::IDENTITY,
-            camera,
-        }
+        Self { mesh, pose: Pose::IDENTITY, camera }
     }
 
     fn object<K: Culling>(&self) -> Object<'a, Unlit<Rgb888>, K> {
-        Object::new(self.mesh, Unlit::new())
-            .posed(self.pose)
-            .culled(K::default())
+        Object::new(self.mesh, Unlit::new()).posed(self.pose).culled(K::default())
     }
 
     /// How often each pixel of a part of the display is drawn.
@@ -79,17 +75,17 @@ impl<'a, P: Projection> Scene<'a, P> {
     pub fn count<S: Subpixel, K: Culling>(&self, part: Rectangle) -> Counter<Rgb888> {
         let mut counter = Counter::new(part);
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
-        let drawn = self
-            .object::<K>()
-            .draw(&self.camera, &mut storage, &mut Direct::new(&mut counter));
+        let drawn =
+            self.object::<K>().draw(&self.camera, &mut storage, &mut Direct::new(&mut counter));
         assert_eq!(drawn, Ok(()));
         counter
     }
 
-    /// How many more layers of front faces than of back faces lie over each pixel of a part of the display.
+    /// How many more layers of front faces than of back faces lie over each pixel of a part of the
+    /// display.
     ///
-    /// The boundary of a surface alone decides it, whatever rounding does to the vertices in between: each inner edge is
-    /// run along once in both directions.
+    /// The boundary of a surface alone decides it, whatever rounding does to the vertices in
+    /// between: each inner edge is run along once in both directions.
     #[must_use]
     pub fn net<S: Subpixel>(&self, part: Rectangle) -> Vec<i32> {
         let [front, back] = [self.count::<S, CullBack>(part), self.count::<S, CullFront>(part)];
@@ -97,7 +93,8 @@ impl<'a, P: Projection> Scene<'a, P> {
         pairs.map(|(&front, &back)| front as i32 - back as i32).collect()
     }
 
-    /// Where its vertices lie, in pixels from the display's corner; nothing for those that are clipped.
+    /// Where its vertices lie, in pixels from the display's corner; nothing for those that are
+    /// clipped.
     ///
     /// # Panics
     ///
@@ -110,8 +107,8 @@ impl<'a, P: Projection> Scene<'a, P> {
         vertices.iter().map(|v| v.position().map(to_pixels::<S>)).collect()
     }
 
-    /// How many triangles cover each pixel of a part of the display by the f64 reference, on the vertices as the core
-    /// places them.
+    /// How many triangles cover each pixel of a part of the display by the f64 reference, on the
+    /// vertices as the core places them.
     ///
     /// # Panics
     ///
@@ -121,23 +118,23 @@ impl<'a, P: Projection> Scene<'a, P> {
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
         let projected = self.object::<K>().project(&self.camera, &mut storage);
         let mut triangles = vec![];
-        let Ok(()) = projected
-            .expect("the object can be drawn")
-            .for_each_triangle(|_, corners| {
-                triangles.push(ScreenTriangle {
-                    vertices: corners.map(|corner| {
-                        let [x, y] = to_pixels::<S>(corner.position().expect("clipped corners are on the screen"));
-                        ReferenceVertex {
-                            x: x - f64::from(part.top_left.x),
-                            y: y - f64::from(part.top_left.y),
-                            depth: 1.0,
-                            level: 1.0,
-                        }
-                    }),
-                    color: [0.0; 3],
-                });
-                Ok::<(), Infallible>(())
+        let Ok(()) = projected.expect("the object can be drawn").for_each_triangle(|_, corners| {
+            triangles.push(ScreenTriangle {
+                vertices: corners.map(|corner| {
+                    let [x, y] = to_pixels::<S>(
+                        corner.position().expect("clipped corners are on the screen"),
+                    );
+                    ReferenceVertex {
+                        x: x - f64::from(part.top_left.x),
+                        y: y - f64::from(part.top_left.y),
+                        depth: 1.0,
+                        level: 1.0,
+                    }
+                }),
+                color: [0.0; 3],
             });
+            Ok::<(), Infallible>(())
+        });
         let [width, height] = [part.size.width as usize, part.size.height as usize];
         let picture = draw_screen(&triangles, (width, height));
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));

@@ -1,4 +1,5 @@
-//! Meshes by construction: sheets, fans, random triangulations, and the closed bodies that tests walk into.
+//! Meshes by construction: sheets, fans, random triangulations, and the closed bodies that tests
+//! walk into.
 
 use rasterizer::{
     mesh::{Material, Mesh, Tables, Triangles},
@@ -24,10 +25,8 @@ impl Surface {
     /// From its tables, with one unit for a quantum.
     #[must_use]
     pub const fn new(positions: Vec<[i16; 3]>, triangles: Vec<[u16; 3]>) -> Self {
-        let materials = [Material {
-            color: [200, 100, 50],
-            triangle_count: triangles.len() as u32,
-        }];
+        let materials =
+            [Material { color: [200, 100, 50], triangle_count: triangles.len() as u32 }];
         Self {
             positions,
             triangles,
@@ -98,9 +97,10 @@ impl Surface {
         })
     }
 
-    /// The rectangle from (`x[0]`, `y[0]`) to (`x[1]`, `y[1]`) in the plane z = 0, in so many columns and rows of cells,
-    /// each cut in two along either diagonal. The corners of the cells lie off their places by up to a fifth of a cell,
-    /// so that all cells stay convex; those on the border stay on it.
+    /// The rectangle from (`x[0]`, `y[0]`) to (`x[1]`, `y[1]`) in the plane z = 0, in so many
+    /// columns and rows of cells, each cut in two along either diagonal. The corners of the
+    /// cells lie off their places by up to a fifth of a cell, so that all cells stay convex;
+    /// those on the border stay on it.
     #[must_use]
     pub fn sheet(x: [i16; 2], y: [i16; 2], cells: [usize; 2], random: &mut Random) -> Self {
         let mut place = |range: [i16; 2], cells: usize, index: usize| {
@@ -145,20 +145,19 @@ impl Surface {
         Self::new(positions, triangles)
     }
 
-    /// A square of this half width in the plane z = 0, in which random points cut one triangle after another in three.
+    /// A square of this half width in the plane z = 0, in which random points cut one triangle
+    /// after another in three.
     #[must_use]
     pub fn shattered(half: i16, points: usize, random: &mut Random) -> Self {
-        let mut positions = vec![[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]];
+        let mut positions =
+            vec![[-half, -half, 0], [half, -half, 0], [half, half, 0], [-half, half, 0]];
         let mut triangles = vec![[0, 1, 2], [0, 2, 3]];
         while positions.len() < points + 4 {
             let limit = i32::from(half);
-            let p = [
-                random.within(-limit, limit) as i16,
-                random.within(-limit, limit) as i16,
-                0,
-            ];
+            let p = [random.within(-limit, limit) as i16, random.within(-limit, limit) as i16, 0];
             let left_of = |a: u16, b: u16| {
-                let [a, b, p] = [positions[usize::from(a)], positions[usize::from(b)], p].map(|p| p.map(i64::from));
+                let [a, b, p] = [positions[usize::from(a)], positions[usize::from(b)], p]
+                    .map(|p| p.map(i64::from));
                 (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0
             };
             let holds = |&[a, b, c]: &[u16; 3]| left_of(a, b) && left_of(b, c) && left_of(c, a);
@@ -176,7 +175,9 @@ impl Surface {
     #[must_use]
     pub fn cube(half: i16, cells: usize) -> Self {
         let (mut positions, mut triangles) = (vec![], vec![]);
-        let along = |index: usize| (i32::from(half) * (2 * index as i32 - cells as i32) / cells as i32) as i16;
+        let along = |index: usize| {
+            (i32::from(half) * (2 * index as i32 - cells as i32) / cells as i32) as i16
+        };
         for axis in 0..3 {
             for side in [half, -half] {
                 let first = positions.len() as u16;
@@ -217,7 +218,8 @@ impl Surface {
     }
 }
 
-/// Whether every edge of a mesh, taken by the places of its ends, is run along as often in one direction as in the other.
+/// Whether every edge of a mesh, taken by the places of its ends, is run along as often in one
+/// direction as in the other.
 #[must_use]
 pub fn is_closed(mesh: &Mesh<'_>) -> bool {
     let tables = mesh.tables();

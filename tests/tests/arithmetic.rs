@@ -1,5 +1,6 @@
-//! The core's arithmetic against the f64 reference on the same vertices: coverage equal, depth within one unit of its
-//! format, colour within one of 256 steps, for every model, precision, size and distance.
+//! The core's arithmetic against the f64 reference on the same vertices: coverage equal, depth
+//! within one unit of its format, colour within one of 256 steps, for every model, precision, size
+//! and distance.
 
 use host_tools::{
     check::{Bounds, DepthFormat, Projection, Shading, Subpixel, View, check},
@@ -38,23 +39,15 @@ fn sweep(path: &std::path::Path) {
         }
     }
     for height in [0.1, 2.2, 50.0] {
-        let view = View {
-            projection: Projection::Orthographic { height },
-            ..View::default()
-        };
+        let view = View { projection: Projection::Orthographic { height }, ..View::default() };
         covered += judge(&model, &view);
     }
-    assert!(
-        covered > 100_000,
-        "{}: only {covered} pixels were drawn",
-        path.display()
-    );
+    assert!(covered > 100_000, "{}: only {covered} pixels were drawn", path.display());
 }
 
 fn judge(model: &Model, view: &View) -> usize {
-    let outcome = check(model, view)
-        .unwrap_or_else(|error| panic!("{}: {error}", model.name))
-        .outcome;
+    let outcome =
+        check(model, view).unwrap_or_else(|error| panic!("{}: {error}", model.name)).outcome;
     assert!(
         outcome.is_within(&Bounds::ARITHMETIC),
         "{}: {:#?}\n{view:#?}",
@@ -63,11 +56,7 @@ fn judge(model: &Model, view: &View) -> usize {
     );
     // Snapping is off by half a sub-pixel; an eighth of one more is for the transform.
     let error = outcome.arithmetic.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
-    assert!(
-        error <= 0.625,
-        "{}: a vertex is {error} sub-pixels off\n{view:#?}",
-        model.name
-    );
+    assert!(error <= 0.625, "{}: a vertex is {error} sub-pixels off\n{view:#?}", model.name);
     outcome.arithmetic.pixels
 }
 

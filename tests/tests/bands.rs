@@ -1,5 +1,5 @@
-//! Frames in bands: with bins and without, with vertices in storage and worked out on the way, one after the other and by
-//! two threads. It is always the picture of the whole frame, bit for bit.
+//! Frames in bands: with bins and without, with vertices in storage and worked out on the way, one
+//! after the other and by two threads. It is always the picture of the whole frame, bit for bit.
 
 use std::{cell::Cell, convert::Infallible, thread};
 
@@ -15,21 +15,24 @@ use rasterizer::{
 };
 use rasterizer_tests::{
     Picture, Random, Surface, area,
-    bands::{BACKGROUND, DISPLAY, Depth, EYES, MATERIALS, Position, ROWS, Screen, at, ball, light, picture},
+    bands::{
+        BACKGROUND, DISPLAY, Depth, EYES, MATERIALS, Position, ROWS, Screen, at, ball, light,
+        picture,
+    },
 };
 
-fn bands_equal_the_frame<S, D, Sh, K>(shader: &Sh, culling: K, heights: impl Iterator<Item = u32> + Clone)
-where
+fn bands_equal_the_frame<S, D, Sh, K>(
+    shader: &Sh,
+    culling: K,
+    heights: impl Iterator<Item = u32> + Clone,
+) where
     S: Subpixel,
     D: Depth + DepthFormat + Interpolate,
     Sh: Shader<Color = Rgb888>,
     K: Culling,
 {
     let ball = ball();
-    let tables = Tables {
-        materials: &MATERIALS,
-        ..*ball.mesh().tables()
-    };
+    let tables = Tables { materials: &MATERIALS, ..*ball.mesh().tables() };
     let mesh = Mesh::new(tables).unwrap();
     let object = Object::new(&mesh, shader.clone()).culled(culling);
     let mut storage = vec![ScreenVertex::<S, D, Sh::Varyings>::EMPTY; mesh.vertex_count()];
@@ -41,15 +44,9 @@ where
         let covered = whole.drawn(BACKGROUND).len();
         let least = if K::BACK || eye > "1" { 400 } else { 0 };
         assert!(covered >= least, "only {covered} pixels from {eye}");
-        assert!(
-            whole == picture::<D>(ROWS, |frame| walked.draw(frame)),
-            "walked from {eye}"
-        );
+        assert!(whole == picture::<D>(ROWS, |frame| walked.draw(frame)), "walked from {eye}");
         for rows in heights.clone() {
-            assert!(
-                whole == picture::<D>(rows, |band| seen.draw(band)),
-                "{rows} rows from {eye}"
-            );
+            assert!(whole == picture::<D>(rows, |band| seen.draw(band)), "{rows} rows from {eye}");
             assert!(
                 whole == picture::<D>(rows, |band| walked.draw(band)),
                 "walked, {rows} rows from {eye}"
@@ -93,37 +90,29 @@ fn bands_equal_the_whole_frame_in_every_format() {
     formats::<S8>(CullNone);
 }
 
-/// What is drawn last is seen: with back faces drawn too, each pixel tells the order of two triangles.
+/// What is drawn last is seen: with back faces drawn too, each pixel tells the order of two
+/// triangles.
 #[test]
 fn bands_keep_the_order_of_the_triangles() {
     bands_equal_the_frame::<S8, NoDepth, _, _>(&Position, CullNone, SOME.into_iter());
     bands_equal_the_frame::<S4, NoDepth, _, _>(&Unlit::new(), CullNone, SOME.into_iter());
 }
 
-/// A surface in one colour and the same again in another: at equal depths the first stays, in every band.
+/// A surface in one colour and the same again in another: at equal depths the first stays, in every
+/// band.
 #[test]
 fn ties_are_won_by_the_first_in_every_band() {
     let once = ball();
     let tables = *once.mesh().tables();
-    let first: Vec<[u16; 3]> = (0..)
-        .map_while(|i| tables.triangles.get(i))
-        .map(|t| t.map(|i| i as u16))
-        .collect();
-    let twice = Surface::new(tables.positions.to_vec(), [&first[..], &first[..]].concat()).scaled(-14);
-    let half = |color| Material {
-        color,
-        triangle_count: first.len() as u32,
-    };
+    let first: Vec<[u16; 3]> =
+        (0..).map_while(|i| tables.triangles.get(i)).map(|t| t.map(|i| i as u16)).collect();
+    let twice =
+        Surface::new(tables.positions.to_vec(), [&first[..], &first[..]].concat()).scaled(-14);
+    let half = |color| Material { color, triangle_count: first.len() as u32 };
     let materials = [half([9, 8, 7]), half([255, 0, 0])];
-    let mesh = Mesh::new(Tables {
-        materials: &materials,
-        ..*twice.mesh().tables()
-    })
-    .unwrap();
+    let mesh = Mesh::new(Tables { materials: &materials, ..*twice.mesh().tables() }).unwrap();
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; mesh.vertex_count()];
-    let seen = Object::new(&mesh, Unlit::new())
-        .project(&at("3", DISPLAY), &mut storage)
-        .unwrap();
+    let seen = Object::new(&mesh, Unlit::new()).project(&at("3", DISPLAY), &mut storage).unwrap();
     let mut bins = vec![0; bin_words(mesh.triangle_count(), ROWS, 5)];
     let seen = seen.binned(5, &mut bins).unwrap();
     let drawn = picture::<u16>(5, |band| seen.draw(band));
@@ -132,8 +121,8 @@ fn ties_are_won_by_the_first_in_every_band() {
     assert_eq!(shown(Rgb888::new(255, 0, 0)), 0);
 }
 
-/// Frames of any part of the display, inside, across and outside the viewport, get the colours and depths that they get
-/// without bins.
+/// Frames of any part of the display, inside, across and outside the viewport, get the colours and
+/// depths that they get without bins.
 #[test]
 fn bins_serve_any_window() {
     let (ball, mut random) = (ball(), Random::new(7));
@@ -151,11 +140,8 @@ fn bins_serve_any_window() {
             let draw = |is_binned: bool| {
                 let mut part = Picture::<_, u16>::empty(window, BACKGROUND);
                 let mut frame = Frame::new(&mut part.color, &mut part.depth, window).unwrap();
-                let Ok(()) = if is_binned {
-                    binned.draw(&mut frame)
-                } else {
-                    seen.draw(&mut frame)
-                };
+                let Ok(()) =
+                    if is_binned { binned.draw(&mut frame) } else { seen.draw(&mut frame) };
                 part
             };
             assert!(
@@ -166,8 +152,8 @@ fn bins_serve_any_window() {
     }
 }
 
-/// The bits say exactly which triangles have a column and a row of centres between their corners, also those that are
-/// cut: their pieces count, not what was cut off.
+/// The bits say exactly which triangles have a column and a row of centres between their corners,
+/// also those that are cut: their pieces count, not what was cut off.
 #[test]
 fn bits_are_those_of_the_triangles_that_reach_a_band() {
     let ball = ball();
@@ -180,20 +166,18 @@ fn bits_are_those_of_the_triangles_that_reach_a_band() {
         let bands = ROWS.div_ceil(bin_rows) as usize;
         let mut want = vec![vec![false; bands]; mesh.triangle_count()];
         let Ok(()) = seen.for_each_triangle(|index, corners| {
-            let corners = corners.map(|corner| corner.position().unwrap().map(|c| f64::from(c) / 256.0 - 0.5));
+            let corners = corners
+                .map(|corner| corner.position().unwrap().map(|c| f64::from(c) / 256.0 - 0.5));
             let range = |axis: usize, from: i32, length: u32| {
                 let values = corners.map(|corner| corner[axis] - f64::from(from));
                 let first = values.into_iter().fold(f64::MAX, f64::min).ceil().max(0.0);
-                let end = values
-                    .into_iter()
-                    .fold(f64::MIN, f64::max)
-                    .ceil()
-                    .min(f64::from(length));
+                let end = values.into_iter().fold(f64::MIN, f64::max).ceil().min(f64::from(length));
                 first as usize..end.max(0.0) as usize
             };
             let (corner, size) = (DISPLAY.top_left, DISPLAY.size);
             if !range(0, corner.x, size.width).is_empty() {
-                range(1, corner.y, size.height).for_each(|row| want[index][row / bin_rows as usize] = true);
+                range(1, corner.y, size.height)
+                    .for_each(|row| want[index][row / bin_rows as usize] = true);
             }
             Ok::<(), Infallible>(())
         });
@@ -235,14 +219,11 @@ fn bins_need_their_words() {
         "the bands need 190 words for their triangles"
     );
     assert_eq!(bin_words(5_856, 240, 16) * 4, 10_980);
-    assert_eq!(
-        (bin_words(0, 240, 16), bin_words(1, 1, 16), bin_words(33, 17, 16)),
-        (0, 1, 4)
-    );
+    assert_eq!((bin_words(0, 240, 16), bin_words(1, 1, 16), bin_words(33, 17, 16)), (0, 1, 4));
 }
 
-/// Bands in any order, and by two threads at once: each has an object, its vertices and its bins to share, and every
-/// other band's memory to itself.
+/// Bands in any order, and by two threads at once: each has an object, its vertices and its bins to
+/// share, and every other band's memory to itself.
 #[test]
 fn threads_share_a_frame() {
     fn drawn_by_two(seen: &(impl Fn(&mut Frame<'_, Rgb888, &mut [u16]>) + Sync)) -> Vec<Rgb888> {
@@ -278,11 +259,8 @@ fn threads_share_a_frame() {
         let mut storage = vec![ScreenVertex::<S8, u16, [u16; 1]>::EMPTY; mesh.vertex_count()];
         let seen = object.project(&at(eye, DISPLAY), &mut storage).unwrap();
         let walked = object.walk(&at(eye, DISPLAY), S8).unwrap();
-        let whole: Vec<_> = picture::<u16>(ROWS, |frame| seen.draw(frame))
-            .pixels
-            .into_iter()
-            .flatten()
-            .collect();
+        let whole: Vec<_> =
+            picture::<u16>(ROWS, |frame| seen.draw(frame)).pixels.into_iter().flatten().collect();
         let mut bins = vec![0; bin_words(mesh.triangle_count(), ROWS, 4)];
         let binned = seen.binned(4, &mut bins).unwrap();
         let seen = |frame: &mut Frame<'_, Rgb888, &mut [u16]>| {
@@ -321,8 +299,8 @@ impl Shader for Counting<'_> {
     }
 }
 
-/// Whatever the size of the cache, the picture stays; the larger it is, the fewer vertices are worked out again; and
-/// what is out of the picture costs nothing.
+/// Whatever the size of the cache, the picture stays; the larger it is, the fewer vertices are
+/// worked out again; and what is out of the picture costs nothing.
 #[test]
 fn walking_remembers_recent_vertices() {
     fn walked<const N: usize>(mesh: &Mesh<'_>, eye: &str, whole: &Screen<Rgb888>) -> usize {
@@ -337,9 +315,8 @@ fn walking_remembers_recent_vertices() {
     let count = Cell::new(0);
     for eye in ["3", "0.9", "-30"] {
         let mut storage = vec![ScreenVertex::<S8, u16, [u16; 1]>::EMPTY; mesh.vertex_count()];
-        let seen = Object::new(&mesh, Counting(&count))
-            .project(&at(eye, DISPLAY), &mut storage)
-            .unwrap();
+        let seen =
+            Object::new(&mesh, Counting(&count)).project(&at(eye, DISPLAY), &mut storage).unwrap();
         let whole = picture::<u16>(ROWS, |frame| seen.draw(frame));
         let counts = [
             walked::<0>(&mesh, eye, &whole),
@@ -350,7 +327,9 @@ fn walking_remembers_recent_vertices() {
         ];
         match eye {
             // All corners of all triangles; each vertex once.
-            "3" => assert_eq!((counts[0], counts[4]), (3 * mesh.triangle_count(), mesh.vertex_count())),
+            "3" => {
+                assert_eq!((counts[0], counts[4]), (3 * mesh.triangle_count(), mesh.vertex_count()))
+            }
             "-30" => assert_eq!(counts, [0; 5]),
             _ => (),
         }

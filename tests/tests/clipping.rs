@@ -1,5 +1,5 @@
-//! Surfaces that reach through the near plane, the far plane and the guard band: they are cut without a gap and without
-//! an overlap, and what is left lies where geometry says.
+//! Surfaces that reach through the near plane, the far plane and the guard band: they are cut
+//! without a gap and without an overlap, and what is left lies where geometry says.
 
 use embedded_graphics::primitives::Rectangle;
 use rasterizer::{
@@ -17,9 +17,17 @@ fn turned(degrees: [u32; 3]) -> Rotation {
     Rotation::about_z(z) * Rotation::about_y(y) * Rotation::about_x(x)
 }
 
-fn camera(eye: Vec3, rotation: Rotation, near: &str, far: &str, viewport: Rectangle) -> Camera<Perspective> {
+fn camera(
+    eye: Vec3,
+    rotation: Rotation,
+    near: &str,
+    far: &str,
+    viewport: Rectangle,
+) -> Camera<Perspective> {
     let distance = |text: &str| text.parse::<Distance>().unwrap();
-    let lens = Perspective::with_focal_length(Distance::from_num(FOCAL), distance(near), distance(far)).unwrap();
+    let lens =
+        Perspective::with_focal_length(Distance::from_num(FOCAL), distance(near), distance(far))
+            .unwrap();
     Camera::at(eye, rotation, lens, viewport).unwrap()
 }
 
@@ -35,10 +43,13 @@ fn turn(rotation: &Rotation, [right, up, away]: [f64; 3]) -> [f64; 3] {
     rows.map(|row| row[0] * right + row[1] * up - row[2] * away)
 }
 
-/// The net number of layers over each pixel where it is certain, of a body that is known as a function. `layers` gives them for a ray, if it can tell; a pixel is certain where all places within one and a half pixels agree.
+/// The net number of layers over each pixel where it is certain, of a body that is known as a
+/// function. `layers` gives them for a ray, if it can tell; a pixel is certain where all places
+/// within one and a half pixels agree.
 fn certain(viewport: Rectangle, layers: impl Fn(f64, f64) -> Option<i32>) -> Vec<Option<i32>> {
     let [width, height] = [viewport.size.width, viewport.size.height];
-    let places = (0..height).flat_map(|y| (0..width).map(move |x| (f64::from(x) + 0.5, f64::from(y) + 0.5)));
+    let places =
+        (0..height).flat_map(|y| (0..width).map(move |x| (f64::from(x) + 0.5, f64::from(y) + 0.5)));
     places
         .map(|(x, y)| {
             let around = [(0.0, 0.0), (1.5, 0.0), (-1.5, 0.0), (0.0, 1.5), (0.0, -1.5)];
@@ -49,7 +60,11 @@ fn certain(viewport: Rectangle, layers: impl Fn(f64, f64) -> Option<i32>) -> Vec
         .collect()
 }
 
-fn agree<S: Subpixel>(scene: &Scene<'_, Perspective>, certain: &[Option<i32>], name: &str) -> usize {
+fn agree<S: Subpixel>(
+    scene: &Scene<'_, Perspective>,
+    certain: &[Option<i32>],
+    name: &str,
+) -> usize {
     let viewport = scene.camera.viewport();
     let net = scene.net::<S>(viewport);
     for (index, (net, certain)) in net.iter().zip(certain).enumerate() {
@@ -61,17 +76,21 @@ fn agree<S: Subpixel>(scene: &Scene<'_, Perspective>, certain: &[Option<i32>], n
     certain.iter().flatten().filter(|&&layers| layers != 0).count()
 }
 
-/// The same for a surface whose layers all face the camera: no triangle is turned over by rounding, so that each pixel is
-/// drawn as often as there are layers.
-fn draws<S: Subpixel>(scene: &Scene<'_, Perspective>, certain: &[Option<i32>], name: &str) -> usize {
+/// The same for a surface whose layers all face the camera: no triangle is turned over by rounding,
+/// so that each pixel is drawn as often as there are layers.
+fn draws<S: Subpixel>(
+    scene: &Scene<'_, Perspective>,
+    certain: &[Option<i32>],
+    name: &str,
+) -> usize {
     let back = scene.count::<S, CullFront>(scene.camera.viewport());
     let is_folded = |(&count, certain): (&u32, &Option<i32>)| certain.is_some() && count != 0;
     assert!(!back.counts().iter().zip(certain).any(is_folded), "{name}: back faces");
     agree::<S>(scene, certain, name)
 }
 
-/// A square of 10,000 units in the plane y = 0, in 2 and in 512 triangles, that the camera stands on, hovers over, and
-/// looks along.
+/// A square of 10,000 units in the plane y = 0, in 2 and in 512 triangles, that the camera stands
+/// on, hovers over, and looks along.
 #[test]
 fn ground_is_covered_once_up_to_the_horizon() {
     const HALF: f64 = 5000.0;
@@ -84,13 +103,9 @@ fn ground_is_covered_once_up_to_the_horizon() {
         ground.scale = Scale::new(5000, -14);
         let mesh = ground.mesh();
         let lie = Pose::rotated(Rotation::about_x(-Angle::QUARTER));
-        for (height, near) in [
-            ("1.5", "0.1"),
-            ("0.01", "0.001"),
-            ("300", "1"),
-            ("1.5", "20"),
-            ("4000", "0.1"),
-        ] {
+        for (height, near) in
+            [("1.5", "0.1"), ("0.01", "0.001"), ("300", "1"), ("1.5", "20"), ("4000", "0.1")]
+        {
             for degrees in [
                 [0, 0, 0],
                 [0, 33, 0],
@@ -128,7 +143,8 @@ fn ground_is_covered_once_up_to_the_horizon() {
 #[test]
 fn ground_at_eye_level_draws_nothing() {
     let mut random = Random::new(8);
-    let ground = Surface::sheet([-16_000, 16_000], [-16_000, 16_000], [16, 16], &mut random).scaled(-1);
+    let ground =
+        Surface::sheet([-16_000, 16_000], [-16_000, 16_000], [16, 16], &mut random).scaled(-1);
     let mesh = ground.mesh();
     let pose = Pose::rotated(Rotation::about_x(-Angle::QUARTER));
     for degrees in [[0, 0, 0], [0, 90, 0], [0, 33, 0]] {
@@ -136,17 +152,17 @@ fn ground_at_eye_level_draws_nothing() {
             pose,
             ..Scene::new(&mesh, camera(Vec3::ZERO, turned(degrees), "0.1", "65535", VIEWPORT))
         };
-        for counts in [
-            scene.count::<S8, CullBack>(VIEWPORT),
-            scene.count::<S8, CullFront>(VIEWPORT),
-        ] {
+        for counts in
+            [scene.count::<S8, CullBack>(VIEWPORT), scene.count::<S8, CullFront>(VIEWPORT)]
+        {
             assert!(counts.counts().iter().all(|&count| count == 0), "{degrees:?}");
         }
     }
 }
 
-/// The scene of `dEQP-GLES2.functional.clipping.polygon_edge.poly_fan`: 240 triangles whose rim lies far outside all
-/// six planes. Each plane through the picture's middle is met by every ray that it does not run away from.
+/// The scene of `dEQP-GLES2.functional.clipping.polygon_edge.poly_fan`: 240 triangles whose rim
+/// lies far outside all six planes. Each plane through the picture's middle is met by every ray
+/// that it does not run away from.
 #[test]
 fn fans_through_all_planes_are_covered_once() {
     let at = |i: i32| {
@@ -181,8 +197,8 @@ fn fans_through_all_planes_are_covered_once() {
     assert!(covered > 400_000, "{covered}");
 }
 
-/// From inside a closed body every ray leaves it once, by a back face: a cube 20,000 units wide in 12 and in 3,072
-/// triangles, and balls, whose every triangle is cut somewhere.
+/// From inside a closed body every ray leaves it once, by a back face: a cube 20,000 units wide in
+/// 12 and in 3,072 triangles, and balls, whose every triangle is cut somewhere.
 #[test]
 fn bodies_surround_the_camera() {
     for (name, body) in [
@@ -201,7 +217,8 @@ fn bodies_surround_the_camera() {
                 if is_small && x == "3000" {
                     continue;
                 }
-                let scene = Scene::new(&mesh, camera(eye, turned(degrees), "0.02", "40000", VIEWPORT));
+                let scene =
+                    Scene::new(&mesh, camera(eye, turned(degrees), "0.02", "40000", VIEWPORT));
                 let name = format!("{name} {degrees:?} {x}");
                 assert!(scene.net::<S4>(VIEWPORT).iter().all(|&layers| layers == -1), "{name}");
                 assert!(scene.net::<S8>(VIEWPORT).iter().all(|&layers| layers == -1), "{name}");
@@ -210,8 +227,8 @@ fn bodies_surround_the_camera() {
     }
 }
 
-/// The near plane cuts a ball open, and the far plane another: a ray sees the difference of what lies behind the one and
-/// what lies behind the other.
+/// The near plane cuts a ball open, and the far plane another: a ray sees the difference of what
+/// lies behind the one and what lies behind the other.
 #[test]
 fn planes_cut_balls_open() {
     let ball = Surface::ball(16_384, 24).scaled(-14);
@@ -226,11 +243,12 @@ fn planes_cut_balls_open() {
         ("3", "0.1", "1.9"),
         ("3", "4.1", "9"),
     ] {
-        let [eye, near_distance, far_distance] = [distance, near, far].map(|text| text.parse::<f64>().unwrap());
+        let [eye, near_distance, far_distance] =
+            [distance, near, far].map(|text| text.parse::<f64>().unwrap());
         let certain = certain(VIEWPORT, |px, py| {
             let way = ray(VIEWPORT, px, py);
-            // Whether the ray is inside where it passes a plane; the facets, an eighteenth across from edge to edge, lie
-            // within half a per cent of the sphere.
+            // Whether the ray is inside where it passes a plane; the facets, an eighteenth across
+            // from edge to edge, lie within half a per cent of the sphere.
             let is_inside = |depth: f64| {
                 let radius = (way[0] * depth).hypot(way[1] * depth).hypot(eye - depth);
                 (!(0.995..=1.0).contains(&radius)).then_some(radius < 1.0)
@@ -252,19 +270,18 @@ fn planes_cut_balls_open() {
     assert!(open > 20_000, "{open}");
 }
 
-/// One unit a pixel and 65,535 of them: the guard band cuts all round, and the whole of the largest viewport is covered.
+/// One unit a pixel and 65,535 of them: the guard band cuts all round, and the whole of the largest
+/// viewport is covered.
 #[test]
 fn sheets_beyond_the_guard_band_are_covered_once() {
     let mut random = Random::new(9);
     for cells in [1, 3, 31, 64] {
-        let sheet = Surface::sheet([i16::MIN, i16::MAX], [i16::MIN, i16::MAX], [cells; 2], &mut random);
+        let sheet =
+            Surface::sheet([i16::MIN, i16::MAX], [i16::MIN, i16::MAX], [cells; 2], &mut random);
         let mesh = sheet.mesh();
-        for viewport in [
-            area(0, 0, 2048, 2048),
-            area(-3, 7, 1, 2048),
-            area(0, 0, 320, 240),
-            area(5, 5, 1, 1),
-        ] {
+        for viewport in
+            [area(0, 0, 2048, 2048), area(-3, 7, 1, 2048), area(0, 0, 320, 240), area(5, 5, 1, 1)]
+        {
             let scene = Scene::new(&mesh, pixel_camera(viewport));
             assert!(
                 scene.net::<S4>(viewport).iter().all(|&layers| layers == 1),

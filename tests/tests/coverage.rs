@@ -1,5 +1,6 @@
-//! Every pixel centre of a surface is drawn exactly once: no gap and no overlap at shared edges, whatever the vertices'
-//! places, the order of the corners, and the planes that triangles are cut at.
+//! Every pixel centre of a surface is drawn exactly once: no gap and no overlap at shared edges,
+//! whatever the vertices' places, the order of the corners, and the planes that triangles are cut
+//! at.
 //!
 //! Coverage is decided in integers, so nothing here has a tolerance in the number of draws.
 
@@ -12,7 +13,9 @@ use rasterizer::{
     geometry::{CullBack, CullFront, CullNone, Pose, Projection, S4, S8, Subpixel},
     numbers::{Angle, Rotation, Vec3},
 };
-use rasterizer_tests::{Random, Scene, Surface, area, is_closed, other_models, pixel_camera, shipped_models};
+use rasterizer_tests::{
+    Random, Scene, Surface, area, is_closed, other_models, pixel_camera, shipped_models,
+};
 
 const VIEWPORT: Rectangle = area(0, 0, 256, 256);
 
@@ -28,11 +31,7 @@ fn rays_leave<S: Subpixel, P: Projection>(scene: &Scene<'_, P>, name: &str) -> u
     let front = scene.count::<S, CullBack>(viewport);
     let back = scene.count::<S, CullFront>(viewport);
     assert_eq!(front.counts(), back.counts(), "{name}");
-    assert_eq!(
-        front.counts(),
-        scene.reference::<S, CullBack>(viewport),
-        "{name}: reference"
-    );
+    assert_eq!(front.counts(), scene.reference::<S, CullBack>(viewport), "{name}: reference");
     front.counts().iter().sum()
 }
 
@@ -44,30 +43,27 @@ fn closed_model_is_watertight(path: &Path) -> bool {
         return false;
     }
     let mut layers = 0;
-    for (distance, degrees) in [
-        ("3", [20, 30, 0]),
-        ("1.5", [90, 0, 0]),
-        ("1.5", [181, 77, 13]),
-        ("30", [0, 0, 45]),
-    ] {
+    for (distance, degrees) in
+        [("3", [20, 30, 0]), ("1.5", [90, 0, 0]), ("1.5", [181, 77, 13]), ("30", [0, 0, 45])]
+    {
         for viewport in [area(0, 0, 320, 240), area(-7, 5, 101, 333)] {
-            let lens = Perspective::new(Angle::degrees(60), Distance::lit("0.05"), Distance::lit("100")).unwrap();
-            let parallel =
-                Orthographic::new(Distance::lit("2.1"), Distance::lit("0.05"), Distance::lit("100")).unwrap();
+            let lens =
+                Perspective::new(Angle::degrees(60), Distance::lit("0.05"), Distance::lit("100"))
+                    .unwrap();
+            let parallel = Orthographic::new(
+                Distance::lit("2.1"),
+                Distance::lit("0.05"),
+                Distance::lit("100"),
+            )
+            .unwrap();
             let eye = Vec3::lit("0", "0", distance);
             let perspective = Camera::at(eye, Rotation::IDENTITY, lens, viewport).unwrap();
             let parallel = Camera::at(eye, Rotation::IDENTITY, parallel, viewport).unwrap();
             let pose = Pose::rotated(turned(degrees));
-            let scene = Scene {
-                pose,
-                ..Scene::new(&mesh, perspective)
-            };
+            let scene = Scene { pose, ..Scene::new(&mesh, perspective) };
             layers += rays_leave::<S4, _>(&scene, &model.name);
             layers += rays_leave::<S8, _>(&scene, &model.name);
-            let scene = Scene {
-                pose,
-                ..Scene::new(&mesh, parallel)
-            };
+            let scene = Scene { pose, ..Scene::new(&mesh, parallel) };
             layers += rays_leave::<S4, _>(&scene, &model.name);
             layers += rays_leave::<S8, _>(&scene, &model.name);
         }
@@ -90,8 +86,8 @@ fn other_closed_models_are_watertight() {
     println!("{closed} of {} models are closed", models.len());
 }
 
-/// A surface of sub-pixel positions that must cover the rectangle from `low` to `high` (x and y in sub-pixels from the
-/// middle, y upwards), and nothing else.
+/// A surface of sub-pixel positions that must cover the rectangle from `low` to `high` (x and y in
+/// sub-pixels from the middle, y upwards), and nothing else.
 fn covers_rectangle<S: Subpixel>(surface: Surface, low: [i32; 2], high: [i32; 2], name: &str) {
     let surface = surface.scaled(-(S::BITS as i32));
     let mesh = surface.mesh();
@@ -102,7 +98,10 @@ fn covers_rectangle<S: Subpixel>(surface: Surface, low: [i32; 2], high: [i32; 2]
         for x in 0..256 {
             let center = [x, y].map(|c| c * pixel + pixel / 2 - middle);
             // Left and upper edge included, right and lower edge not; y downwards.
-            let inside = low[0] <= center[0] && center[0] < high[0] && -high[1] <= center[1] && center[1] < -low[1];
+            let inside = low[0] <= center[0]
+                && center[0] < high[0]
+                && -high[1] <= center[1]
+                && center[1] < -low[1];
             assert_eq!(counts.at(x, y), u32::from(inside), "{name}: ({x}, {y})");
         }
     }
@@ -110,7 +109,8 @@ fn covers_rectangle<S: Subpixel>(surface: Surface, low: [i32; 2], high: [i32; 2]
     assert!(back.counts().iter().all(|&count| count == 0), "{name}: back faces");
 }
 
-/// From cells of 16 pixels to cells of a few sub-pixels, with borders on pixel centres and off them.
+/// From cells of 16 pixels to cells of a few sub-pixels, with borders on pixel centres and off
+/// them.
 #[test]
 fn sheets_cover_their_rectangle_once() {
     fn sheets<S: Subpixel>(seed: u64) {
@@ -126,10 +126,16 @@ fn sheets_cover_their_rectangle_once() {
             [5, 120 * pixel, 1, 2],
         ] {
             for border in [0, pixel / 2, 3] {
-                let low = [border - width / 2, border - height / 2].map(|c| c & !(pixel - 1) | border);
+                let low =
+                    [border - width / 2, border - height / 2].map(|c| c & !(pixel - 1) | border);
                 let high = [low[0] + width, low[1] + height];
                 let range = |axis: usize| [low[axis] as i16, high[axis] as i16];
-                let sheet = Surface::sheet(range(0), range(1), [columns as usize, rows as usize], &mut random);
+                let sheet = Surface::sheet(
+                    range(0),
+                    range(1),
+                    [columns as usize, rows as usize],
+                    &mut random,
+                );
                 let name = format!("{width} x {height} in {columns} x {rows} from {low:?}");
                 covers_rectangle::<S>(sheet, low, high, &name);
             }
@@ -145,7 +151,12 @@ fn shattered_squares_are_covered_once() {
     for seed in 0..8 {
         let mut random = Random::new(seed);
         let shattered = Surface::shattered(1000, 400, &mut random);
-        covers_rectangle::<S4>(shattered.clone(), [-1000; 2], [1000; 2], &format!("{seed}, sixteenths"));
+        covers_rectangle::<S4>(
+            shattered.clone(),
+            [-1000; 2],
+            [1000; 2],
+            &format!("{seed}, sixteenths"),
+        );
         covers_rectangle::<S8>(shattered, [-1000; 2], [1000; 2], &format!("{seed}, 256ths"));
     }
 }
@@ -158,18 +169,21 @@ fn fans_round_a_pixel_centre_draw_it_once() {
         let half = (1 << (S::BITS - 1)) as i16;
         for corners in 3..=64 {
             for turn in 0..8 {
-                let angle = |i: i32| f64::from(i) / f64::from(corners) * std::f64::consts::TAU + f64::from(turn) / 8.0;
+                let angle = |i: i32| {
+                    f64::from(i) / f64::from(corners) * std::f64::consts::TAU
+                        + f64::from(turn) / 8.0
+                };
                 let at = |c: f64| half + (pixel_radius * pixel * c).round() as i16;
-                let rim: Vec<_> = (0..corners)
-                    .map(|i| [at(angle(i).cos()), at(angle(i).sin()), 0])
-                    .collect();
+                let rim: Vec<_> =
+                    (0..corners).map(|i| [at(angle(i).cos()), at(angle(i).sin()), 0]).collect();
                 let fan = Surface::fan([half, half, 0], &rim).scaled(-(S::BITS as i32));
                 let mesh = fan.mesh();
                 let scene = Scene::new(&mesh, pixel_camera(VIEWPORT));
                 let counts = scene.count::<S, CullNone>(VIEWPORT);
                 // The hub (half, half) with y upwards is the centre of pixel (128, 127).
                 assert_eq!(counts.at(128, 127), 1, "{corners} corners, turn {turn}");
-                // Rounding moves the rim by less than a pixel, and the rim's chords come as near as the cosine says.
+                // Rounding moves the rim by less than a pixel, and the rim's chords come as near as
+                // the cosine says.
                 let inner = pixel_radius * (std::f64::consts::PI / f64::from(corners)).cos() - 1.0;
                 for (index, &count) in counts.counts().iter().enumerate() {
                     let [dx, dy] = [index % 256, index / 256].map(|c| c as f64);
@@ -188,8 +202,8 @@ fn fans_round_a_pixel_centre_draw_it_once() {
     fans::<S8>(2.0);
 }
 
-/// Two triangles on the two sides of an edge through a pixel centre, the edge in all directions, the corners in all
-/// orders, and both sides drawn.
+/// Two triangles on the two sides of an edge through a pixel centre, the edge in all directions,
+/// the corners in all orders, and both sides drawn.
 #[test]
 fn a_centre_on_a_shared_edge_has_one_owner() {
     fn edges<S: Subpixel>() {
@@ -214,7 +228,8 @@ fn a_centre_on_a_shared_edge_has_one_owner() {
                     }
                     let pair = Surface::new(positions.clone(), triangles).scaled(-(S::BITS as i32));
                     let mesh = pair.mesh();
-                    let counts = Scene::new(&mesh, pixel_camera(viewport)).count::<S, CullNone>(viewport);
+                    let counts =
+                        Scene::new(&mesh, pixel_camera(viewport)).count::<S, CullNone>(viewport);
                     assert_eq!(counts.at(32, 31), 1, "({dx}, {dy}) {back} {on} {order}");
                     assert!(counts.counts().iter().all(|&count| count <= 1));
                 }
@@ -231,9 +246,11 @@ fn pictures_move_by_whole_pixels() {
     let ball = Surface::ball(20_000, 9).scaled(-14);
     let mesh = ball.mesh();
     let seen = |x: i32, y: i32| {
-        let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("50")).unwrap();
+        let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("50"))
+            .unwrap();
         let viewport = area(x, y, 131, 90);
-        let camera = Camera::at(Vec3::lit("0.3", "0.1", "2.5"), Rotation::IDENTITY, lens, viewport).unwrap();
+        let camera =
+            Camera::at(Vec3::lit("0.3", "0.1", "2.5"), Rotation::IDENTITY, lens, viewport).unwrap();
         let scene = Scene::new(&mesh, camera);
         [
             scene.count::<S4, CullNone>(viewport).counts().to_vec(),
@@ -254,8 +271,10 @@ fn order_of_corners_changes_no_pixel() {
     let ball = Surface::ball(20_000, 9).scaled(-14);
     let views = [ball.clone(), ball.clone().rotated(&mut random), ball.reversed()].map(|surface| {
         let mesh = surface.mesh();
-        let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("50")).unwrap();
-        let camera = Camera::at(Vec3::lit("0.3", "0.1", "2.5"), turned([2, 3, 4]), lens, VIEWPORT).unwrap();
+        let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("50"))
+            .unwrap();
+        let camera =
+            Camera::at(Vec3::lit("0.3", "0.1", "2.5"), turned([2, 3, 4]), lens, VIEWPORT).unwrap();
         let scene = Scene::new(&mesh, camera);
         let none = scene.count::<S8, CullNone>(VIEWPORT);
         let back = scene.count::<S8, CullBack>(VIEWPORT);

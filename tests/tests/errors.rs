@@ -24,10 +24,8 @@ impl Shader for Textured {
     type Color = Rgb888;
     type Varyings = [u16; 2];
     type Surface = ();
-    const TABLES: RequiredTables = RequiredTables {
-        texture_coordinates: true,
-        ..RequiredTables::NONE
-    };
+    const TABLES: RequiredTables =
+        RequiredTables { texture_coordinates: true, ..RequiredTables::NONE };
 
     fn surface(&self, _: &Material) {}
 
@@ -45,7 +43,8 @@ const fn light() -> Light {
 }
 
 fn perspective() -> Camera {
-    let lens = Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("100")).unwrap();
+    let lens =
+        Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("100")).unwrap();
     Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, lens, DISPLAY).unwrap()
 }
 
@@ -74,10 +73,7 @@ fn storage_must_hold_every_vertex() {
     for room in [0, 1, needed - 1] {
         let error = refused(&object, &perspective(), room);
         assert_eq!(error, ProjectError::VertexStorage { needed });
-        assert_eq!(
-            error.to_string(),
-            format!("the mesh needs storage for {needed} vertices")
-        );
+        assert_eq!(error.to_string(), format!("the mesh needs storage for {needed} vertices"));
     }
     for room in [needed, needed + 7] {
         let mut storage = vec![ScreenVertex::<S4, NoDepth, [u16; 0]>::EMPTY; room];
@@ -87,10 +83,7 @@ fn storage_must_hold_every_vertex() {
             Ok(())
         );
         assert!(!display.calls().is_empty());
-        assert_eq!(
-            object.project(&perspective(), &mut storage).unwrap().vertices().len(),
-            needed
-        );
+        assert_eq!(object.project(&perspective(), &mut storage).unwrap().vertices().len(), needed);
     }
 }
 
@@ -104,18 +97,12 @@ fn shaders_need_their_tables() {
     let flat = Object::new(&mesh, Flat::new(light()));
     assert_eq!(refused(&flat, &perspective(), room), ProjectError::NoFaceNormals);
     let textured = Object::new(&mesh, Textured);
-    assert_eq!(
-        refused(&textured, &perspective(), room),
-        ProjectError::NoTextureCoordinates
-    );
+    assert_eq!(refused(&textured, &perspective(), room), ProjectError::NoTextureCoordinates);
 
     let normals = vec![[0, 0, 127]; mesh.triangle_count()];
     let coordinates = vec![[7, 7]; room];
-    let tables = Tables {
-        face_normals: &normals,
-        texture_coordinates: &coordinates,
-        ..*mesh.tables()
-    };
+    let tables =
+        Tables { face_normals: &normals, texture_coordinates: &coordinates, ..*mesh.tables() };
     let mesh = Mesh::new(tables).unwrap();
     let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
     picture.draw(&mesh, Flat::new(light()), &perspective());
@@ -128,7 +115,8 @@ fn shaders_need_their_tables() {
     assert_eq!(refused(&smooth, &perspective(), room), ProjectError::NoVertexNormals);
 }
 
-/// Models 2^100 units wide are refused where that is too much; offsets that the scale carries off by 2^32 units are not.
+/// Models 2^100 units wide are refused where that is too much; offsets that the scale carries off
+/// by 2^32 units are not.
 #[test]
 fn objects_beyond_all_numbers_are_refused() {
     let far_off = ProjectError::Pose(PoseError);
@@ -154,15 +142,12 @@ fn objects_beyond_all_numbers_are_refused() {
     );
 }
 
-/// A flat ball behind, a smooth one that cuts into it, and one with a shader of the user's: in whatever order they are
-/// drawn, each pixel shows the nearest.
+/// A flat ball behind, a smooth one that cuts into it, and one with a shader of the user's: in
+/// whatever order they are drawn, each pixel shows the nearest.
 #[test]
 fn objects_with_different_shaders_hide_each_other() {
     let ball = |offset: Vec3, color: [u8; 3]| {
-        let mut ball = Surface::ball(10_000, 8)
-            .scaled(-13)
-            .with_vertex_normals()
-            .colored(color);
+        let mut ball = Surface::ball(10_000, 8).scaled(-13).with_vertex_normals().colored(color);
         ball.offset = offset;
         ball
     };
@@ -192,17 +177,14 @@ fn objects_with_different_shaders_hide_each_other() {
         for pixel in 0..together.color.len() {
             // Depths may tie; the first drawn wins.
             let winner = order.into_iter().reduce(|best, next| {
-                if alone[next].depth[pixel] > alone[best].depth[pixel] {
-                    next
-                } else {
-                    best
-                }
+                if alone[next].depth[pixel] > alone[best].depth[pixel] { next } else { best }
             });
             let winner = &alone[winner.unwrap()];
             assert_eq!(together.color[pixel], winner.color[pixel], "{order:?}, pixel {pixel}");
             assert_eq!(together.depth[pixel], winner.depth[pixel], "{order:?}, pixel {pixel}");
             for (index, seen) in seen.iter_mut().enumerate() {
-                *seen += usize::from(winner.depth[pixel] != 0 && winner.color == alone[index].color);
+                *seen +=
+                    usize::from(winner.depth[pixel] != 0 && winner.color == alone[index].color);
             }
         }
         assert!(seen.iter().all(|&pixels| pixels > 20), "{seen:?}");
@@ -235,7 +217,8 @@ impl Shader for Blue {
 /// The same surface twice, in two colours: equal depths, and the second leaves no pixel.
 #[test]
 fn what_is_drawn_first_wins_a_tie() {
-    let [first, second] = [[255, 0, 0], [0, 255, 0]].map(|color| Surface::ball(10_000, 8).scaled(-13).colored(color));
+    let [first, second] =
+        [[255, 0, 0], [0, 255, 0]].map(|color| Surface::ball(10_000, 8).scaled(-13).colored(color));
     let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
     picture.draw(&first.mesh(), Unlit::new(), &perspective());
     let once = picture.clone();
@@ -247,8 +230,6 @@ fn what_is_drawn_first_wins_a_tie() {
     let mut frame = Frame::without_depth(&mut colors, DISPLAY).unwrap();
     let mesh = second.mesh();
     let mut storage = vec![ScreenVertex::<S8, NoDepth, [u16; 0]>::EMPTY; mesh.vertex_count()];
-    Object::new(&mesh, Unlit::new())
-        .draw(&perspective(), &mut storage, &mut frame)
-        .unwrap();
+    Object::new(&mesh, Unlit::new()).draw(&perspective(), &mut storage, &mut frame).unwrap();
     assert!(!colors.contains(&Rgb888::new(255, 0, 0)) && colors.contains(&Rgb888::new(0, 255, 0)));
 }

@@ -1,5 +1,5 @@
-//! The ends of every range: positions, scales, poses, cameras and viewports in all combinations. Nothing panics, nothing
-//! is drawn outside, and what can be known is right.
+//! The ends of every range: positions, scales, poses, cameras and viewports in all combinations.
+//! Nothing panics, nothing is drawn outside, and what can be known is right.
 
 use embedded_graphics::{geometry::Point, pixelcolor::Rgb888, primitives::Rectangle};
 use rasterizer::{
@@ -18,24 +18,22 @@ fn part(random: &mut Random, viewport: Rectangle) -> Rectangle {
     let [width, height] = [viewport.size.width, viewport.size.height].map(|side| side as i32);
     let middle = random.coin();
     let mut along = |from: i32, length: i32| {
-        if middle {
-            from + length / 2 - 20
-        } else {
-            from + random.within(-50, length)
-        }
+        if middle { from + length / 2 - 20 } else { from + random.within(-50, length) }
     };
     area(along(x, width), along(y, height), 40, 40)
 }
 
-/// Whether the object can be drawn; if so it is drawn as the reference says, also in bands. Counts what is drawn.
-fn scene_is_right<S: Subpixel, P: Projection>(random: &mut Random, lens: P, drawn: &mut u64) -> bool {
+/// Whether the object can be drawn; if so it is drawn as the reference says, also in bands. Counts
+/// what is drawn.
+fn scene_is_right<S: Subpixel, P: Projection>(
+    random: &mut Random,
+    lens: P,
+    drawn: &mut u64,
+) -> bool {
     let stage = ends::stage(random);
     let camera = stage.camera(lens, ends::viewport(random));
     let mesh = stage.surface.mesh();
-    let scene = Scene {
-        pose: stage.pose,
-        ..Scene::new(&mesh, camera)
-    };
+    let scene = Scene { pose: stage.pose, ..Scene::new(&mesh, camera) };
     let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(scene.pose);
     let mut storage = vec![Placed::<S>::EMPTY; mesh.vertex_count()];
     match object.project(&camera, &mut storage) {
@@ -51,23 +49,20 @@ fn scene_is_right<S: Subpixel, P: Projection>(random: &mut Random, lens: P, draw
     };
     let reference = scene.reference::<S, CullNone>(part);
     for (index, (&count, &layers)) in counts.counts().iter().zip(&reference).enumerate() {
-        assert_eq!(
-            count,
-            if inside(index) { layers } else { 0 },
-            "{scene:#?} {part:?} {index}"
-        );
+        assert_eq!(count, if inside(index) { layers } else { 0 }, "{scene:#?} {part:?} {index}");
     }
     let front = scene.count::<S, CullBack>(part);
     let back = scene.count::<S, CullFront>(part);
-    let sums = front
-        .counts()
-        .iter()
-        .zip(back.counts())
-        .map(|(front, back)| front + back);
+    let sums = front.counts().iter().zip(back.counts()).map(|(front, back)| front + back);
     assert!(sums.eq(counts.counts().iter().copied()), "{scene:#?}");
     let rows = random.within(1, 39);
     for (top, height) in [(0, rows), (rows, 40 - rows)] {
-        let band = scene.count::<S, CullNone>(area(part.top_left.x, part.top_left.y + top, 40, height as u32));
+        let band = scene.count::<S, CullNone>(area(
+            part.top_left.x,
+            part.top_left.y + top,
+            40,
+            height as u32,
+        ));
         let start = top as usize * 40;
         assert_eq!(
             band.counts(),
@@ -105,7 +100,8 @@ fn random_scenes_are_the_same_in_bands() {
         stage.surface = stage.surface.with_vertex_normals();
         let mesh = stage.surface.mesh();
         let seen = stage.camera(ends::perspective(&mut random), ends::viewport(&mut random));
-        let shader = Gouraud::<Rgb888>::new(Light::new(ends::place(&mut random), Level::ONE, Level::ONE));
+        let shader =
+            Gouraud::<Rgb888>::new(Light::new(ends::place(&mut random), Level::ONE, Level::ONE));
         let mut storage = vec![ScreenVertex::<S8, u32, [u16; 1]>::EMPTY; mesh.vertex_count()];
         let object = Object::new(&mesh, shader).posed(stage.pose);
         let Ok(projected) = object.project(&seen, &mut storage) else {
@@ -130,25 +126,30 @@ fn random_scenes_are_the_same_in_bands() {
     assert!(covered > 80_000, "{covered}");
 }
 
-/// One cell, or none, of the largest and the smallest viewports, at the ends of their offsets, is left out or drawn twice.
+/// One cell, or none, of the largest and the smallest viewports, at the ends of their offsets, is
+/// left out or drawn twice.
 #[test]
 fn viewports_of_all_shapes_are_filled_once() {
     let mut random = Random::new(4);
     for offset in [-MAX_VIEWPORT_OFFSET, 0, MAX_VIEWPORT_OFFSET] {
-        for [width, height] in [[1, 1], [1, 2048], [2048, 1], [2, 2], [2048, 2048], [2047, 3], [3, 2047]] {
+        for [width, height] in
+            [[1, 1], [1, 2048], [2048, 1], [2, 2], [2048, 2048], [2047, 3], [3, 2047]]
+        {
             let viewport = area(offset, -offset, width, height);
             let sheet = Surface::sheet([-1024, 1024], [-1024, 1024], [9, 7], &mut random);
             let mesh = sheet.mesh();
             let scene = Scene::new(&mesh, pixel_camera(viewport));
             for net in [scene.net::<S4>(viewport), scene.net::<S8>(viewport)] {
-                // In sixteenths the last column's edge lies on the guard band, a sub-pixel further in.
+                // In sixteenths the last column's edge lies on the guard band, a sub-pixel further
+                // in.
                 assert!(net.iter().all(|&layers| layers == 1), "{viewport:?}");
             }
         }
     }
 }
 
-/// All corners equal, two of them, and all on a line, at the ends of the range: no pixel, from either side.
+/// All corners equal, two of them, and all on a line, at the ends of the range: no pixel, from
+/// either side.
 #[test]
 fn triangles_without_area_draw_nothing() {
     let (low, high) = (i16::MIN, i16::MAX);
@@ -176,24 +177,13 @@ fn triangles_without_area_draw_nothing() {
         let surface = Surface::new(positions.clone(), triangles.clone()).scaled(exponent);
         let mesh = surface.mesh();
         let scene = Scene::new(&mesh, pixel_camera(viewport));
-        assert!(
-            scene
-                .count::<S8, CullNone>(viewport)
-                .counts()
-                .iter()
-                .all(|&count| count == 0)
-        );
-        assert!(
-            scene
-                .count::<S4, CullNone>(viewport)
-                .counts()
-                .iter()
-                .all(|&count| count == 0)
-        );
+        assert!(scene.count::<S8, CullNone>(viewport).counts().iter().all(|&count| count == 0));
+        assert!(scene.count::<S4, CullNone>(viewport).counts().iter().all(|&count| count == 0));
     }
 }
 
-/// What the mesh's scale takes and the pose's scale gives back changes nothing: the camera sees only their product.
+/// What the mesh's scale takes and the pose's scale gives back changes nothing: the camera sees
+/// only their product.
 #[test]
 fn scales_of_mesh_and_pose_multiply() {
     let ball = Surface::ball(30_000, 5);
@@ -201,12 +191,11 @@ fn scales_of_mesh_and_pose_multiply() {
     let seen = |exponent: i32, pose_scale: Distance| {
         let ball = ball.clone().scaled(exponent);
         let mesh = ball.mesh();
-        let lens = Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("9")).unwrap();
-        let camera = Camera::at(Vec3::lit("0.1", "0", "2.5"), Rotation::IDENTITY, lens, viewport).unwrap();
-        let scene = Scene {
-            pose: Pose::IDENTITY.scaled(pose_scale),
-            ..Scene::new(&mesh, camera)
-        };
+        let lens =
+            Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("9")).unwrap();
+        let camera =
+            Camera::at(Vec3::lit("0.1", "0", "2.5"), Rotation::IDENTITY, lens, viewport).unwrap();
+        let scene = Scene { pose: Pose::IDENTITY.scaled(pose_scale), ..Scene::new(&mesh, camera) };
         scene.count::<S8, CullNone>(viewport)
     };
     let plain = seen(-15, Distance::ONE);

@@ -4,7 +4,8 @@
 #[expect(dead_code, reason = "the example's main is not called")]
 mod own_shader;
 
-/// Background all round, and of both materials the slices that keep their colour and those that do not.
+/// Background all round, and of both materials the slices that keep their colour and those that do
+/// not.
 #[test]
 fn contours_run_round_the_cube() {
     let text = own_shader::picture().unwrap();

@@ -1,9 +1,9 @@
 //! Vertices lie where the exact numbers say, for cameras and objects of all magnitudes.
 //!
-//! Clip space counts in units of which the largest coordinate that the object could have makes 2^27 at least: the
-//! bound on a coordinate is a power of two at most twice its largest term, and two more bits are for the sum of four.
-//! A coordinate is within [`ERROR`] units of the exact one. Divided by w that is what a vertex may be off, besides half
-//! a sub-pixel for snapping.
+//! Clip space counts in units of which the largest coordinate that the object could have makes 2^27
+//! at least: the bound on a coordinate is a power of two at most twice its largest term, and two
+//! more bits are for the sum of four. A coordinate is within [`ERROR`] units of the exact one.
+//! Divided by w that is what a vertex may be off, besides half a sub-pixel for snapping.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
@@ -19,8 +19,9 @@ use rasterizer_tests::{
     pixel_camera,
 };
 
-/// Three entries, each within half of 2^-14 units and of positions up to 2^15: three units. One for rounding down, one for
-/// the translation, and two for the 31 bits that matrix and translation are worked out with.
+/// Three entries, each within half of 2^-14 units and of positions up to 2^15: three units. One for
+/// rounding down, one for the translation, and two for the 31 bits that matrix and translation are
+/// worked out with.
 const ERROR: f64 = 7.0;
 const GUARD: f64 = 1024.0;
 
@@ -59,16 +60,18 @@ type Vector = [f64; 3];
 /// A row of the matrix from quanta to clip space, and its translation.
 type Row = (Vector, f64);
 
-/// Right, down and away, the first two in guard bands at w = 1; and by how much, in world units, the way from the eye to
-/// the model's origin may be off: its coordinates are rounded to 31 bits of the largest, and the offset to 2^-32 before
-/// and after it is scaled.
+/// Right, down and away, the first two in guard bands at w = 1; and by how much, in world units,
+/// the way from the eye to the model's origin may be off: its coordinates are rounded to 31 bits of
+/// the largest, and the offset to 2^-32 before and after it is scaled.
 fn matrix(stage: &Stage, lens: &Lens) -> ([Row; 3], f64) {
     let [turn, view] = [stage.pose.rotation, stage.rotation.inverse()]
         .map(|rotation| rotation.rows().map(|row| row.map(|c| c.to_num::<f64>())));
-    let apply = |m: &[Vector; 3], v: Vector| m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
+    let apply =
+        |m: &[Vector; 3], v: Vector| m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
     let vector = |v: Vec3| v.to_bits().map(|c| f64::from(c) / 65_536.0);
     let scale: f64 = stage.pose.scale.to_num();
-    let quantum = f64::from(stage.surface.scale.mantissa()) * 2f64.powi(stage.surface.scale.exponent());
+    let quantum =
+        f64::from(stage.surface.scale.mantissa()) * 2f64.powi(stage.surface.scale.exponent());
     let to_view = |v: Vector| {
         let [x, y, z] = apply(&view, v);
         [x * lens.magnification / GUARD, -y * lens.magnification / GUARD, -z]
@@ -85,10 +88,7 @@ fn matrix(stage: &Stage, lens: &Lens) -> ([Row; 3], f64) {
     let origin = to_view(from_eye);
     let largest = from_eye.iter().fold(0f64, |m, c| m.max(c.abs()));
     let rows = [0, 1, 2].map(|row| (columns.map(|column| column[row]), origin[row]));
-    (
-        rows,
-        3f64.sqrt() * (largest * 2f64.powi(-31) + (scale + 1.0) * 2f64.powi(-32)),
-    )
+    (rows, 3f64.sqrt() * (largest * 2f64.powi(-31) + (scale + 1.0) * 2f64.powi(-32)))
 }
 
 /// How long the unit of clip space is at most, for a coordinate with this row.
@@ -100,10 +100,7 @@ fn unit((entries, translation): &Row) -> f64 {
 /// How many vertices were placed so that a sub-pixel tells.
 fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Lens) -> usize {
     let mesh = stage.surface.mesh();
-    let scene = Scene {
-        pose: stage.pose,
-        ..Scene::new(&mesh, camera)
-    };
+    let scene = Scene { pose: stage.pose, ..Scene::new(&mesh, camera) };
     let (rows, origin) = matrix(stage, lens);
     let [x, y, z] = [0, 1, 2].map(|row| unit(&rows[row]));
     let (across, away) = if lens.is_perspective {
@@ -123,7 +120,8 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
     let mut sharp = 0;
     for (index, position) in mesh.tables().positions.iter().enumerate() {
         let p = position.map(f64::from);
-        let [x, y, z] = rows.map(|(row, origin)| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + origin);
+        let [x, y, z] =
+            rows.map(|(row, origin)| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + origin);
         let w = if lens.is_perspective { z } else { 1.0 };
         let is_certain = |margin: f64, limit: f64| {
             z > lens.near + margin * away
@@ -131,16 +129,17 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
                 && x.abs().max(y.abs()) < limit * w - margin * (across + away)
         };
         let Some(place) = placed.get(index) else {
-            // The whole mesh is out of the picture, which is half a viewport to each side of the middle.
-            let is_seen = x.abs() * GUARD < sides[0] / 2.0 * w && y.abs() * GUARD < sides[1] / 2.0 * w;
+            // The whole mesh is out of the picture, which is half a viewport to each side of the
+            // middle.
+            let is_seen =
+                x.abs() * GUARD < sides[0] / 2.0 * w && y.abs() * GUARD < sides[1] / 2.0 * w;
             assert!(!(is_certain(1.0, 1.0) && is_seen), "vertex {index} is seen: {stage:?}");
             continue;
         };
         match place {
-            None => assert!(
-                !is_certain(1.0, 1.0),
-                "vertex {index} is on the screen: {stage:?} {lens}"
-            ),
+            None => {
+                assert!(!is_certain(1.0, 1.0), "vertex {index} is on the screen: {stage:?} {lens}")
+            }
             Some([px, py]) => {
                 assert!(
                     is_certain(-1.0, 1.0),
@@ -151,7 +150,8 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
                 let tolerance = 0.502 * subpixel + GUARD * (across + away) / w.max(1e-300);
                 sharp += usize::from(tolerance < subpixel);
                 for (axis, (got, c)) in [(px, x), (py, y)].into_iter().enumerate() {
-                    let exact = (c / w * GUARD).min(GUARD - subpixel) + corner[axis] + sides[axis] / 2.0;
+                    let exact =
+                        (c / w * GUARD).min(GUARD - subpixel) + corner[axis] + sides[axis] / 2.0;
                     assert!(
                         (got - exact).abs() <= tolerance,
                         "vertex {index}: {got} {exact} {tolerance} {stage:?} {lens}"
@@ -187,7 +187,8 @@ fn vertices_of_parallel_projections_lie_where_they_should() {
         let camera = stage.camera(lens, viewport);
         if is_accepted(&stage, &camera) {
             let exact = Lens::orthographic(&lens, f64::from(viewport.size.height));
-            placed += judge::<S4, _>(&stage, camera, &exact) + judge::<S8, _>(&stage, camera, &exact);
+            placed +=
+                judge::<S4, _>(&stage, camera, &exact) + judge::<S8, _>(&stage, camera, &exact);
         }
     }
 
@@ -207,14 +208,16 @@ fn vertices_in_perspective_lie_where_they_should() {
         let camera = stage.camera(lens, viewport);
         if is_accepted(&stage, &camera) {
             let exact = Lens::perspective(&lens, focal.to_num());
-            placed += judge::<S4, _>(&stage, camera, &exact) + judge::<S8, _>(&stage, camera, &exact);
+            placed +=
+                judge::<S4, _>(&stage, camera, &exact) + judge::<S8, _>(&stage, camera, &exact);
         }
     }
 
     assert!(placed > 10_000, "{placed}");
 }
 
-/// A vertex on the guard band's right or lower end lies in its last sub-pixel; beyond the ends it is clipped.
+/// A vertex on the guard band's right or lower end lies in its last sub-pixel; beyond the ends it
+/// is clipped.
 #[test]
 fn guard_band_reaches_1024_pixels() {
     fn ends<S: Subpixel>() {
@@ -226,12 +229,8 @@ fn guard_band_reaches_1024_pixels() {
         // The middle lies at (50, 20).
         let placed = Scene::new(&mesh, pixel_camera(area(0, 0, 100, 40))).vertices::<S>();
         let last = 1024.0 - 1.0 / f64::from(1 << S::BITS);
-        let want = [
-            Some([50.0 + last, 20.0 + last]),
-            Some([50.0 - 1024.0, 20.0 - 1024.0]),
-            None,
-            None,
-        ];
+        let want =
+            [Some([50.0 + last, 20.0 + last]), Some([50.0 - 1024.0, 20.0 - 1024.0]), None, None];
         assert_eq!(placed, want);
     }
     ends::<S4>();

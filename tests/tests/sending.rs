@@ -1,5 +1,5 @@
-//! Bands on their way to a display: their memory, one after the other, while the next is drawn, only what has changed, and
-//! in the order of bytes that a bus takes.
+//! Bands on their way to a display: their memory, one after the other, while the next is drawn,
+//! only what has changed, and in the order of bytes that a bus takes.
 
 use std::convert::Infallible;
 
@@ -18,7 +18,9 @@ use rasterizer::{
 };
 use rasterizer_tests::{
     BusError, Call, Picture, Random, Recorder, Surface, area,
-    bands::{BACKGROUND, DISPLAY, Depth, MATERIALS, Position, ROWS, Screen, at, ball, light, picture},
+    bands::{
+        BACKGROUND, DISPLAY, Depth, MATERIALS, Position, ROWS, Screen, at, ball, light, picture,
+    },
 };
 
 /// The numbers of a mesh are just enough, and their bytes those of the types.
@@ -27,19 +29,13 @@ fn needs_are_what_drawing_takes() {
     let ball = ball();
     let mesh = ball.mesh();
     let needs = Needs::of(&mesh, DISPLAY.size, 5);
-    let want = Needs {
-        vertices: mesh.vertex_count(),
-        bin_words: 190,
-        pixels: 305,
-    };
+    let want = Needs { vertices: mesh.vertex_count(), bin_words: 190, pixels: 305 };
     assert_eq!(needs, want);
-    // 12 bytes for a vertex with depth and light, a word of four, and four of colour and two of depth for a pixel.
+    // 12 bytes for a vertex with depth and light, a word of four, and four of colour and two of
+    // depth for a pixel.
     let bytes = needs.vertices * 12 + 190 * 4 + 305 * 6;
     assert_eq!(needs.bytes::<S8, u16, Gouraud<Rgb888>>(), bytes);
-    assert_eq!(
-        needs.bytes::<S8, NoDepth, Unlit<Rgb565>>(),
-        needs.vertices * 8 + 190 * 4 + 305 * 2
-    );
+    assert_eq!(needs.bytes::<S8, NoDepth, Unlit<Rgb565>>(), needs.vertices * 8 + 190 * 4 + 305 * 2);
     let (mut color, mut depth) = (vec![BACKGROUND; needs.pixels], vec![0u16; needs.pixels]);
     let mut rows = |colors: usize, depths: usize| {
         let bands = Bands::new(DISPLAY, &mut color[..colors], &mut depth[..depths]).unwrap();
@@ -57,20 +53,20 @@ fn needs_are_what_drawing_takes() {
 fn bands_need_a_row() {
     let (mut color, mut depth) = ([BACKGROUND; 61], [0u32; 61]);
     let mut rows = |area: Rectangle, colors: usize, depths: usize| {
-        Bands::new(area, &mut color[..colors], &mut depth[..depths]).map(|bands| bands.areas().collect::<Vec<_>>())
+        Bands::new(area, &mut color[..colors], &mut depth[..depths])
+            .map(|bands| bands.areas().collect::<Vec<_>>())
     };
     assert_eq!(rows(DISPLAY, 61, 61).map(|areas| areas.len()), Ok(47));
     assert_eq!(rows(DISPLAY, 60, 61), Err(FrameError::ColorLength { needed: 61 }));
     assert_eq!(rows(DISPLAY, 61, 60), Err(FrameError::DepthLength { needed: 61 }));
-    assert_eq!(
-        rows(area(5, 9, 10, 7), 61, 50),
-        Ok(vec![area(5, 9, 10, 5), area(5, 14, 10, 2)])
-    );
+    assert_eq!(rows(area(5, 9, 10, 7), 61, 50), Ok(vec![area(5, 9, 10, 5), area(5, 14, 10, 2)]));
     assert_eq!(rows(area(5, 9, 10, 5), 61, 61), Ok(vec![area(5, 9, 10, 5)]));
     for nothing in [area(5, 9, 0, 7), area(5, 9, 10, 0)] {
         assert_eq!(rows(nothing, 0, 0), Ok(vec![]));
     }
-    let without = |colors: usize| Bands::without_depth(DISPLAY, &mut vec![BACKGROUND; colors][..]).map(|_| ());
+    let without = |colors: usize| {
+        Bands::without_depth(DISPLAY, &mut vec![BACKGROUND; colors][..]).map(|_| ())
+    };
     assert_eq!(without(60), Err(FrameError::ColorLength { needed: 61 }));
     assert_eq!(without(61), Ok(()));
 }
@@ -98,13 +94,8 @@ fn objects_share_bands() {
     let mut bands = u16::bands(DISPLAY, 5);
     for angle in [0, 70] {
         let pose = Pose::rotated(Rotation::about_y(Angle::degrees(angle)));
-        let ball = Object::new(&ball, Gouraud::new(light()))
-            .project(&camera, &mut smooth)
-            .unwrap();
-        let cube = Object::new(&cube, Position)
-            .posed(pose)
-            .project(&camera, &mut own)
-            .unwrap();
+        let ball = Object::new(&ball, Gouraud::new(light())).project(&camera, &mut smooth).unwrap();
+        let cube = Object::new(&cube, Position).posed(pose).project(&camera, &mut own).unwrap();
         let whole = picture::<u16>(ROWS, |frame| {
             ball.draw(frame)?;
             cube.draw(frame)
@@ -114,12 +105,8 @@ fn objects_share_bands() {
             picture::<u16>(ROWS, |frame| cube.draw(frame)),
         ];
         for alone in &alone {
-            let common = whole
-                .pixels
-                .iter()
-                .zip(&alone.pixels)
-                .filter(|(both, one)| both == one)
-                .count();
+            let common =
+                whole.pixels.iter().zip(&alone.pixels).filter(|(both, one)| both == one).count();
             assert!(common < whole.pixels.len() - 100, "one hides the other");
         }
         let mut bins = vec![0; bin_words(588, ROWS, 5)];
@@ -140,9 +127,7 @@ fn bands_begin_cleared() {
     let ball = ball();
     let mesh = ball.mesh();
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 3]>::EMPTY; mesh.vertex_count()];
-    let seen = Object::new(&mesh, Position)
-        .project(&at("1.7", DISPLAY), &mut storage)
-        .unwrap();
+    let seen = Object::new(&mesh, Position).project(&at("1.7", DISPLAY), &mut storage).unwrap();
     let whole = picture::<u16>(ROWS, |frame| seen.draw(frame));
     let (mut color, mut depth) = ([Rgb888::new(255, 0, 0); 61 * 9], [9_999u16; 61 * 9]);
     let mut screen = Screen::new(DISPLAY);
@@ -154,8 +139,8 @@ fn bands_begin_cleared() {
     assert!(screen.pixels.iter().all(|&pixel| pixel == Some(other)));
 }
 
-/// Each pixel that is drawn lies in the bounds. If all of the object is in the picture, pixels come up to every side but
-/// for the thin ends of triangles that hold no centre.
+/// Each pixel that is drawn lies in the bounds. If all of the object is in the picture, pixels come
+/// up to every side but for the thin ends of triangles that hold no centre.
 #[test]
 fn bounds_hold_what_is_drawn() {
     let (ball, cube) = (ball(), Surface::cube(14_000, 2).scaled(-14));
@@ -171,10 +156,7 @@ fn bounds_hold_what_is_drawn() {
             let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; mesh.vertex_count()];
             let seen = object.project(&at("1.7", DISPLAY), &mut storage).unwrap();
             let bounds = seen.bounds();
-            assert_eq!(
-                bounds,
-                object.walk::<_, _, u16>(&at("1.7", DISPLAY), S8).unwrap().bounds()
-            );
+            assert_eq!(bounds, object.walk::<_, _, u16>(&at("1.7", DISPLAY), S8).unwrap().bounds());
             let drawn = picture::<u16>(ROWS, |frame| seen.draw(frame)).drawn(BACKGROUND);
             let is_inside = bounds.is_some_and(|bounds| {
                 let (low, high) = (bounds.top_left, bounds.bottom_right().unwrap());
@@ -187,10 +169,7 @@ fn bounds_hold_what_is_drawn() {
                 continue;
             };
             assert_eq!(bounds.intersection(&DISPLAY), bounds);
-            assert!(
-                drawn.iter().all(|&point| bounds.contains(point)),
-                "round {round}: {bounds:?}"
-            );
+            assert!(drawn.iter().all(|&point| bounds.contains(point)), "round {round}: {bounds:?}");
             // Centres next to a corner of the outline may lie beside the thin end of its triangles.
             let Some(first) = drawn.first().filter(|_| is_inside) else {
                 continue;
@@ -199,12 +178,9 @@ fn bounds_hold_what_is_drawn() {
                 (low.component_min(*point), high.component_max(*point))
             });
             let (low, high) = (bounds.top_left, bounds.bottom_right().unwrap());
-            for slack in [
-                extent.0.x - low.x,
-                extent.0.y - low.y,
-                high.x - extent.1.x,
-                high.y - extent.1.y,
-            ] {
+            for slack in
+                [extent.0.x - low.x, extent.0.y - low.y, high.x - extent.1.x, high.y - extent.1.y]
+            {
                 assert!((0..=2).contains(&slack), "round {round}: {bounds:?}, drawn {extent:?}");
             }
         }
@@ -217,11 +193,14 @@ fn envelope(a: Rectangle, b: Rectangle) -> Rectangle {
     match (a.bottom_right(), b.bottom_right()) {
         (None, _) => b,
         (_, None) => a,
-        (Some(p), Some(q)) => Rectangle::with_corners(a.top_left.component_min(b.top_left), p.component_max(q)),
+        (Some(p), Some(q)) => {
+            Rectangle::with_corners(a.top_left.component_min(b.top_left), p.component_max(q))
+        }
     }
 }
 
-/// Frame after frame, sending only the bounds of what was drawn and what is drawn now shows the whole picture.
+/// Frame after frame, sending only the bounds of what was drawn and what is drawn now shows the
+/// whole picture.
 #[test]
 fn only_what_changes_is_sent() {
     let ball = ball();
@@ -291,9 +270,7 @@ fn streams_hand_their_buffers_over() {
     let ball = ball();
     let mesh = ball.mesh();
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 3]>::EMPTY; mesh.vertex_count()];
-    let seen = Object::new(&mesh, Position)
-        .project(&at("1.7", DISPLAY), &mut storage)
-        .unwrap();
+    let seen = Object::new(&mesh, Position).project(&at("1.7", DISPLAY), &mut storage).unwrap();
     let whole = picture::<u16>(ROWS, |frame| seen.draw(frame));
     let mut depth = [0u16; 61 * 6];
     // Each buffer with its name; its pixels are the first.
@@ -304,7 +281,8 @@ fn streams_hand_their_buffers_over() {
         }
     }
     let named = |name: char| Named(name, vec![Rgb888::new(255, 0, 0); 61 * 6 + 3].into());
-    let (mut screen, mut resting, mut order) = (Screen::new(DISPLAY), Some(named('b')), String::new());
+    let (mut screen, mut resting, mut order) =
+        (Screen::new(DISPLAY), Some(named('b')), String::new());
     let bands = Bands::new(DISPLAY, named('a'), &mut depth).unwrap();
     let last = bands.stream(
         BACKGROUND,
@@ -324,10 +302,8 @@ fn streams_hand_their_buffers_over() {
 /// The static arrays of a microcontroller, handed over by exchange.
 #[test]
 fn streams_take_static_buffers() {
-    let (front, mut back) = (
-        Box::leak(Box::new([BACKGROUND; 61 * 8])),
-        Box::leak(Box::new([BACKGROUND; 61 * 8])),
-    );
+    let (front, mut back) =
+        (Box::leak(Box::new([BACKGROUND; 61 * 8])), Box::leak(Box::new([BACKGROUND; 61 * 8])));
     let first = front.as_ptr();
     let mut bands = 0;
     let bands_of = Bands::without_depth(DISPLAY, front).unwrap();
@@ -355,11 +331,7 @@ fn streams_end_with_what_fails() {
             |_| Ok(()),
             |_, _| {
                 sent += 1;
-                if sent > fails_at {
-                    Err(BusError)
-                } else {
-                    Ok(vec![BACKGROUND; sizes[sent - 1]])
-                }
+                if sent > fails_at { Err(BusError) } else { Ok(vec![BACKGROUND; sizes[sent - 1]]) }
             },
         );
         (ended.map(|buffer| buffer.len()), sent)
@@ -367,10 +339,7 @@ fn streams_end_with_what_fails() {
     let enough = [610, 700, 610, 427, 0];
     assert_eq!(stream(5, enough), (Ok(0), 5));
     for fails_at in 0..5 {
-        assert_eq!(
-            stream(fails_at, enough),
-            (Err(StreamError::Send(BusError)), fails_at + 1)
-        );
+        assert_eq!(stream(fails_at, enough), (Err(StreamError::Send(BusError)), fails_at + 1));
     }
     let short = |needed| Err(StreamError::Frame(FrameError::ColorLength { needed }));
     assert_eq!(stream(5, [609, 0, 0, 0, 0]), (short(610), 1));
@@ -382,18 +351,15 @@ fn streams_end_with_what_fails() {
 /// A ball in two colours without depth, in memory that starts at either half of a word.
 fn filled<C: StoredColor + From<Rgb888> + From<Rgb565>>(skipped: usize) -> Vec<C> {
     let ball = ball();
-    let mesh = Mesh::new(Tables {
-        materials: &MATERIALS,
-        ..*ball.mesh().tables()
-    })
-    .unwrap();
+    let mesh = Mesh::new(Tables { materials: &MATERIALS, ..*ball.mesh().tables() }).unwrap();
     let background = C::from(Rgb565::new(1, 2, 3));
     let pixels = (DISPLAY.size.width * DISPLAY.size.height) as usize;
     let mut memory = vec![background; skipped + pixels];
     let mut frame = Frame::without_depth(&mut memory[skipped..], DISPLAY).unwrap();
     frame.clear(C::from(Rgb565::new(4, 5, 6)));
     let mut vertices = vec![ScreenVertex::<S8, _, _>::EMPTY; mesh.vertex_count()];
-    let drawn = Object::new(&mesh, Unlit::new()).draw(&at("1.7", DISPLAY), &mut vertices, &mut frame);
+    let drawn =
+        Object::new(&mesh, Unlit::new()).draw(&at("1.7", DISPLAY), &mut vertices, &mut frame);
     assert_eq!(drawn, Ok(()));
     memory
 }
@@ -402,7 +368,8 @@ fn filled<C: StoredColor + From<Rgb888> + From<Rgb565>>(skipped: usize) -> Vec<C
 #[test]
 fn big_endian_runs_are_rgb565_swapped() {
     for skipped in 0..2 {
-        let native: Vec<Rgb565Be> = filled::<Rgb565>(skipped).into_iter().map(Rgb565Be::from).collect();
+        let native: Vec<Rgb565Be> =
+            filled::<Rgb565>(skipped).into_iter().map(Rgb565Be::from).collect();
         assert!(filled::<Rgb565Be>(skipped) == native);
     }
 }
@@ -426,14 +393,7 @@ fn big_endian_pixels_are_rgb565_swapped() {
         picture.draw(&mesh, swapped, &at("1.7", DISPLAY));
         let want: Vec<u8> = native_picture.color.iter().flat_map(|pixel| bytes(*pixel)).collect();
         assert!(Rgb565Be::as_bytes(&picture.color) == want);
-        assert!(
-            native_picture
-                .color
-                .iter()
-                .filter(|&&pixel| pixel != background)
-                .count()
-                > 1000
-        );
+        assert!(native_picture.color.iter().filter(|&&pixel| pixel != background).count() > 1000);
     }
     fn bytes(pixel: Rgb565) -> [u8; 2] {
         pixel.into_storage().to_be_bytes()

@@ -1,4 +1,5 @@
-//! One picture in many targets: whole frames, bands, parts of the display, no buffer at all, and displays that fail.
+//! One picture in many targets: whole frames, bands, parts of the display, no buffer at all, and
+//! displays that fail.
 
 use embedded_graphics::{
     geometry::Point,
@@ -21,23 +22,18 @@ const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
 const DISPLAY: Rectangle = area(0, 0, 61, 47);
 
 const fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
-    Gouraud::new(Light::new(
-        Vec3::lit("1", "2", "3"),
-        Level::lit("0.2"),
-        Level::lit("0.8"),
-    ))
+    Gouraud::new(Light::new(Vec3::lit("1", "2", "3"), Level::lit("0.2"), Level::lit("0.8")))
 }
 
 fn ball() -> Surface {
-    Surface::ball(16_384, 7)
-        .scaled(-14)
-        .with_vertex_normals()
-        .colored([250, 220, 150])
+    Surface::ball(16_384, 7).scaled(-14).with_vertex_normals().colored([250, 220, 150])
 }
 
-/// From 0.2 units before the ball, so that some of it is cut by the near plane and the picture's edges.
+/// From 0.2 units before the ball, so that some of it is cut by the near plane and the picture's
+/// edges.
 fn camera(viewport: Rectangle) -> Camera<Perspective> {
-    let lens = Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
+    let lens =
+        Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
     Camera::at(
         Vec3::lit("0.1", "0.2", "1.7"),
         Rotation::about_x(-Angle::degrees(8)),
@@ -66,7 +62,8 @@ fn bands_equal_the_frame<Sh: Shader<Color = Rgb888>>(shader: &Sh) {
     for height in 1..=DISPLAY.size.height {
         for top in (0..DISPLAY.size.height).step_by(height as usize) {
             // The last band may reach below the picture.
-            let mut band = Picture::empty(area(0, top as i32, DISPLAY.size.width, height), BACKGROUND);
+            let mut band =
+                Picture::empty(area(0, top as i32, DISPLAY.size.width, height), BACKGROUND);
             let mut frame = Frame::new(&mut band.color, &mut band.depth, band.area).unwrap();
             let Ok(()) = projected.draw(&mut frame);
             assert!(band == whole.crop(band.area, BACKGROUND), "{height} rows from {top}");
@@ -81,7 +78,8 @@ fn bands_of_any_height_equal_the_whole_frame() {
     bands_equal_the_frame(&Position);
 }
 
-/// Frames of parts of the display, also beyond its edges; what the object does not cover keeps its colour and depth.
+/// Frames of parts of the display, also beyond its edges; what the object does not cover keeps its
+/// colour and depth.
 #[test]
 fn parts_equal_the_same_part_of_the_whole_frame() {
     let ball = ball();
@@ -114,10 +112,7 @@ fn viewports_carry_their_picture() {
         let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
         let viewport = area(x, y, DISPLAY.size.width, DISPLAY.size.height);
         picture.draw(&mesh, Position, &camera(viewport));
-        let moved = Picture {
-            area: viewport,
-            ..whole.clone()
-        };
+        let moved = Picture { area: viewport, ..whole.clone() };
         assert!(picture == moved.crop(DISPLAY, BACKGROUND), "({x}, {y})");
     }
 }
@@ -128,8 +123,10 @@ fn nothing_is_drawn_beside_the_viewport() {
     let cube = Surface::cube(10_000, 2);
     let mesh = cube.mesh();
     let viewport = area(9, 8, 20, 15);
-    let lens = Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("60000")).unwrap();
-    let camera = Camera::at(Vec3::lit("0", "0", "10100"), Rotation::IDENTITY, lens, viewport).unwrap();
+    let lens = Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("60000"))
+        .unwrap();
+    let camera =
+        Camera::at(Vec3::lit("0", "0", "10100"), Rotation::IDENTITY, lens, viewport).unwrap();
     let mut picture = Picture::<_, u32>::empty(DISPLAY, BACKGROUND);
     picture.draw(&mesh, Unlit::new(), &camera);
     for (index, (&color, &depth)) in picture.color.iter().zip(&picture.depth).enumerate() {
@@ -161,9 +158,7 @@ fn targets_agree_on_a_convex_body() {
 
     // This display panics if a pixel is drawn twice.
     let mut display = MockDisplay::<Rgb888>::new();
-    object
-        .draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display))
-        .unwrap();
+    object.draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display)).unwrap();
     for (point, &color) in DISPLAY.points().zip(&whole.color) {
         assert_eq!(display.get_pixel(point).unwrap_or(BACKGROUND), color, "{point}");
     }
@@ -179,7 +174,8 @@ fn memory_round_a_frame_is_left_alone() {
     let (mut color, mut depth) = (vec![BACKGROUND; pixels + 200], vec![0u32; pixels + 200]);
     color[..100].fill(Rgb888::RED);
     color[pixels + 100..].fill(Rgb888::RED);
-    let mut frame = Frame::new(&mut color[100..pixels + 100], &mut depth[100..pixels + 100], DISPLAY).unwrap();
+    let mut frame =
+        Frame::new(&mut color[100..pixels + 100], &mut depth[100..pixels + 100], DISPLAY).unwrap();
     let mut storage = vec![ScreenVertex::<S8, u32, [u16; 3]>::EMPTY; mesh.vertex_count()];
     let object = Object::new(&mesh, Position);
     object.draw(&camera(DISPLAY), &mut storage, &mut frame).unwrap();
@@ -242,16 +238,15 @@ fn frames_are_sent_in_one_run() {
     assert_eq!(frame.present(&mut broken), Err(BusError));
 }
 
-/// An error of the display comes back from the call that it happened in, and no further call is made.
+/// An error of the display comes back from the call that it happened in, and no further call is
+/// made.
 fn fails_at_once<Sh: Shader<Color = Rgb888>>(shader: Sh) {
     let ball = ball();
     let mesh = ball.mesh();
     let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; mesh.vertex_count()];
     let object = Object::new(&mesh, shader);
     let mut works = Recorder::new(DISPLAY);
-    object
-        .draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut works))
-        .unwrap();
+    object.draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut works)).unwrap();
     let calls = works.calls();
     assert!(calls.len() > 100);
     for working in [0, 1, calls.len() / 2, calls.len() - 1] {
@@ -280,18 +275,19 @@ fn spans<Sh: Shader<Color = Rgb888>>(shader: Sh, is_solid: bool) -> Vec<Rectangl
     let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; mesh.vertex_count()];
     let mut display = Recorder::new(DISPLAY);
     let object = Object::new(&mesh, shader);
-    object
-        .draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display))
-        .unwrap();
+    object.draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display)).unwrap();
     let row = |call: &Call<Rgb888>| match call {
         Call::Solid(row, _) if is_solid => *row,
-        Call::Contiguous(row, colors) if !is_solid && colors.len() == row.size.width as usize => *row,
+        Call::Contiguous(row, colors) if !is_solid && colors.len() == row.size.width as usize => {
+            *row
+        }
         other => panic!("{other:?}"),
     };
     display.calls().iter().map(row).collect()
 }
 
-/// One colour a triangle is one `fill_solid` a span, interpolated colours one `fill_contiguous`; none is empty.
+/// One colour a triangle is one `fill_solid` a span, interpolated colours one `fill_contiguous`;
+/// none is empty.
 #[test]
 fn spans_are_runs() {
     let solid = spans(Unlit::new(), true);
@@ -300,28 +296,18 @@ fn spans_are_runs() {
     assert_eq!(solid, spans(Position, false));
 }
 
-/// The picture in a colour type is the one of 24 bits, converted: a surface's colours are worked out before that.
+/// The picture in a colour type is the one of 24 bits, converted: a surface's colours are worked
+/// out before that.
 fn draws_in<C: StoredColor + From<Rgb888> + std::fmt::Debug>(background: C) {
     let ball = ball();
     let mesh = ball.mesh();
     let convert = |&color: &Rgb888| if color == BACKGROUND { background } else { color.into() };
     let mut flat = Picture::<C, u16>::empty(DISPLAY, background);
     flat.draw(&mesh, Unlit::new(), &camera(DISPLAY));
-    assert!(
-        flat.color
-            .iter()
-            .copied()
-            .eq(whole(&mesh, Unlit::new()).color.iter().map(convert))
-    );
+    assert!(flat.color.iter().copied().eq(whole(&mesh, Unlit::new()).color.iter().map(convert)));
     let mut smooth = Picture::<C, u16>::empty(DISPLAY, background);
     smooth.draw(&mesh, gouraud(), &camera(DISPLAY));
-    assert!(
-        smooth
-            .color
-            .iter()
-            .copied()
-            .eq(whole(&mesh, gouraud()).color.iter().map(convert))
-    );
+    assert!(smooth.color.iter().copied().eq(whole(&mesh, gouraud()).color.iter().map(convert)));
     assert!(smooth.color.iter().any(|&color| color != background));
 }
 

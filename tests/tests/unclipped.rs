@@ -1,5 +1,5 @@
-//! Objects that are not clipped: what reaches beyond the near plane, the far plane or the guard band is left out triangle
-//! by triangle, and all else is drawn as ever.
+//! Objects that are not clipped: what reaches beyond the near plane, the far plane or the guard
+//! band is left out triangle by triangle, and all else is drawn as ever.
 
 use std::convert::Infallible;
 
@@ -7,8 +7,8 @@ use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{
-        ClipNone, CullBack, CullFront, CullNone, Culling, DepthFormat, NoDepth, Projection, S4, S8, ScreenVertex,
-        Subpixel,
+        ClipNone, CullBack, CullFront, CullNone, Culling, DepthFormat, NoDepth, Projection, S4, S8,
+        ScreenVertex, Subpixel,
     },
     mesh::{Mesh, Triangles},
     numbers::{Angle, Rotation, Vec3},
@@ -21,7 +21,8 @@ use rasterizer_tests::{
     bands::{BACKGROUND, DISPLAY, Depth, EYES, Position, ROWS, at, ball, picture},
 };
 
-/// The indices of the triangles whose corners all have a place on the screen, with the corners' indices.
+/// The indices of the triangles whose corners all have a place on the screen, with the corners'
+/// indices.
 fn whole<P: Projection>(mesh: &Mesh<'_>, camera: &Camera<P>) -> Vec<(usize, [u16; 3])> {
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; mesh.vertex_count()];
     let object = Object::new(mesh, Unlit::<Rgb888>::new()).clipped(ClipNone);
@@ -37,9 +38,14 @@ fn whole<P: Projection>(mesh: &Mesh<'_>, camera: &Camera<P>) -> Vec<(usize, [u16
     all.filter(|(_, corners)| is_whole(corners)).collect()
 }
 
-/// The object without clipping, in every way there is to draw it, is the mesh of its whole triangles with clipping.
-/// Returns how many triangles were left out, and how many pixels are drawn.
-fn equals_the_mesh_of_whole_triangles<S, D, P, K>(mesh: &Mesh<'_>, camera: &Camera<P>, culling: K) -> [usize; 2]
+/// The object without clipping, in every way there is to draw it, is the mesh of its whole
+/// triangles with clipping. Returns how many triangles were left out, and how many pixels are
+/// drawn.
+fn equals_the_mesh_of_whole_triangles<S, D, P, K>(
+    mesh: &Mesh<'_>,
+    camera: &Camera<P>,
+    culling: K,
+) -> [usize; 2]
 where
     S: Subpixel,
     D: Depth + DepthFormat + Interpolate,
@@ -67,16 +73,10 @@ where
     assert!(!seen.is_hidden());
     for rows in [ROWS, 16, 1] {
         assert!(expected == picture::<D>(rows, |band| seen.draw(band)), "{rows} rows");
-        assert!(
-            expected == picture::<D>(rows, |band| walked.draw(band)),
-            "walked, {rows} rows"
-        );
+        assert!(expected == picture::<D>(rows, |band| walked.draw(band)), "walked, {rows} rows");
         let mut bins = vec![0; bin_words(mesh.triangle_count(), ROWS, 16)];
         let binned = seen.binned(16, &mut bins).unwrap();
-        assert!(
-            expected == picture::<D>(rows, |band| binned.draw(band)),
-            "binned, {rows} rows"
-        );
+        assert!(expected == picture::<D>(rows, |band| binned.draw(band)), "binned, {rows} rows");
     }
     [left_out, expected.drawn(BACKGROUND).len()]
 }
@@ -103,7 +103,8 @@ fn triangles_are_left_out_whole() {
     assert!(drawn.iter().all(|&pixels| pixels > 500), "{drawn:?}");
 }
 
-/// What stays between the planes is drawn as with clipping, be it partly or wholly beside the picture.
+/// What stays between the planes is drawn as with clipping, be it partly or wholly beside the
+/// picture.
 #[test]
 fn what_stays_inside_is_drawn_alike() {
     fn compare<P: Projection>(mesh: &Mesh<'_>, camera: &Camera<P>) -> usize {
@@ -141,10 +142,11 @@ fn the_whole_triangles_are_visited() {
     let mesh = ball.mesh();
     for eye in EYES {
         let camera = at(eye, DISPLAY);
-        let visited = |visits: &mut Vec<_>, index: usize, corners: [&ScreenVertex<S4, u16, [u16; 0]>; 3]| {
-            visits.push((index, corners.map(|&corner| corner)));
-            Ok::<(), Infallible>(())
-        };
+        let visited =
+            |visits: &mut Vec<_>, index: usize, corners: [&ScreenVertex<S4, u16, [u16; 0]>; 3]| {
+                visits.push((index, corners.map(|&corner| corner)));
+                Ok::<(), Infallible>(())
+            };
         let object = Object::new(&mesh, Unlit::<Rgb888>::new()).culled(CullNone);
         let (mut cut, mut left) = (vec![], vec![]);
         let seen = object.walk(&camera, S4).unwrap();

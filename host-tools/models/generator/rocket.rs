@@ -1,4 +1,5 @@
-//! A rocket that stands on its fins, y up: a turned body, three fins and two windows, each a closed surface of its own.
+//! A rocket that stands on its fins, y up: a turned body, three fins and two windows, each a closed
+//! surface of its own.
 
 use std::f64::consts::TAU;
 
@@ -23,7 +24,8 @@ const BODY: [(f64, f64, &str); 13] = [
     (0.05, 3.27, "stripe"),
 ];
 
-/// A fin's outline: distance from the axis and height, counter-clockwise; concave at the trailing edge.
+/// A fin's outline: distance from the axis and height, counter-clockwise; concave at the trailing
+/// edge.
 const FIN: [(f64, f64); 7] = [
     (0.18, 0.55),
     (0.42, 0.46),
@@ -86,7 +88,8 @@ fn body(surface: &mut Surface) {
 fn fin(surface: &mut Surface, angle: f64) {
     let (sin, cos) = angle.sin_cos();
     let mut side = |depth: f64| -> Ring {
-        surface.ring(FIN.map(|(r, y)| -> Point { [r * cos + depth * sin, y, -r * sin + depth * cos] }))
+        surface
+            .ring(FIN.map(|(r, y)| -> Point { [r * cos + depth * sin, y, -r * sin + depth * cos] }))
     };
     let (near, far) = (side(0.03), side(-0.03));
     surface.cap(near);
@@ -102,7 +105,8 @@ fn window(surface: &mut Surface, y: f64) {
             [radius * cos, y + radius * sin, z]
         }))
     };
-    let rings = [(0.15, 0.30), (0.15, 0.47), (0.11, 0.47), (0.10, 0.455)].map(|(radius, z)| disc(radius, z));
+    let rings = [(0.15, 0.30), (0.15, 0.47), (0.11, 0.47), (0.10, 0.455)]
+        .map(|(radius, z)| disc(radius, z));
     surface.material("frame");
     for i in 0..3 {
         surface.band(rings[i], rings[i + 1]);

@@ -28,10 +28,7 @@ impl Ring {
 impl Surface {
     /// Starts a file; `library` is its MTL file.
     pub(super) fn new(comment: &str, library: &str) -> Self {
-        Self {
-            text: format!("# {comment}\nmtllib {library}\n"),
-            points: 0,
-        }
+        Self { text: format!("# {comment}\nmtllib {library}\n"), points: 0 }
     }
 
     /// The finished text.
@@ -63,10 +60,7 @@ impl Surface {
         for point in points {
             self.point(point);
         }
-        Ring {
-            first,
-            length: self.points + 1 - first,
-        }
+        Ring { first, length: self.points + 1 - first }
     }
 
     /// A face.
@@ -79,7 +73,8 @@ impl Surface {
         self.text.push('\n');
     }
 
-    /// Quads from one ring to the next. Seen from outside, the rings run counter-clockwise and `to` lies left of `from`.
+    /// Quads from one ring to the next. Seen from outside, the rings run counter-clockwise and `to`
+    /// lies left of `from`.
     pub(super) fn band(&mut self, from: Ring, to: Ring) {
         for i in 0..from.length {
             self.face([from.corner(i), from.corner(i + 1), to.corner(i + 1), to.corner(i)]);
@@ -104,7 +99,8 @@ impl Surface {
     }
 }
 
-/// Numbers with four decimals: a twenty-thousandth of a unit is below the quantum of the tables made from them.
+/// Numbers with four decimals: a twenty-thousandth of a unit is below the quantum of the tables
+/// made from them.
 pub(super) fn coordinates(numbers: &[f64]) -> String {
     let texts: Vec<String> = numbers
         .iter()

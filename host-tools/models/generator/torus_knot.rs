@@ -1,5 +1,5 @@
-//! A trefoil: a tube along a curve that winds three times round a torus while it goes twice about its axis. Smooth, with
-//! normals and texture coordinates.
+//! A trefoil: a tube along a curve that winds three times round a torus while it goes twice about
+//! its axis. Smooth, with normals and texture coordinates.
 
 use std::f64::consts::TAU;
 
@@ -13,7 +13,8 @@ const MAJOR: f64 = 1.0;
 const MINOR: f64 = 0.42;
 const TUBE: f64 = 0.2;
 
-/// The tube is some 14.5 units long and 1.26 round: so many repeats of a square texture look undistorted.
+/// The tube is some 14.5 units long and 1.26 round: so many repeats of a square texture look
+/// undistorted.
 const REPEATS: f64 = 12.0;
 
 pub(super) fn files() -> Vec<(&'static str, String)> {
@@ -41,7 +42,8 @@ pub(super) fn files() -> Vec<(&'static str, String)> {
                 let vertex = i % ALONG * AROUND + j % AROUND + 1;
                 format!("{vertex}/{}/{vertex}", i * (AROUND + 1) + j + 1)
             };
-            let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            let [a, b, c, d] =
+                [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
             surface.line(&format!("f {a} {b} {c}"));
             surface.line(&format!("f {a} {c} {d}"));
         }
@@ -54,11 +56,14 @@ fn part(i: usize, n: usize) -> f64 {
     i as f64 / n as f64
 }
 
-/// A point of the tube and the normal there, which is radial as in any pipe. Both parameters go from 0 to 1.
+/// A point of the tube and the normal there, which is radial as in any pipe. Both parameters go
+/// from 0 to 1.
 ///
-/// The frame stays level, as that of a walker on the curve: the curve is steepest where it runs 47 degrees up.
+/// The frame stays level, as that of a walker on the curve: the curve is steepest where it runs 47
+/// degrees up.
 fn on_tube(along: f64, around: f64) -> (Point, Point) {
-    let ((sin_u, cos_u), (sin_v, cos_v)) = ((2.0 * TAU * along).sin_cos(), (3.0 * TAU * along).sin_cos());
+    let ((sin_u, cos_u), (sin_v, cos_v)) =
+        ((2.0 * TAU * along).sin_cos(), (3.0 * TAU * along).sin_cos());
     let radius = MAJOR + MINOR * cos_v;
     let center = [radius * cos_u, radius * sin_u, MINOR * sin_v];
     let tangent = {

@@ -53,11 +53,8 @@ pub struct Bounds {
 
 impl Bounds {
     /// None, 1 and 1.
-    pub const ARITHMETIC: Self = Self {
-        coverage_mismatches: 0,
-        depth_max_ulp: 1.0,
-        color_max_error: 1.0,
-    };
+    pub const ARITHMETIC: Self =
+        Self { coverage_mismatches: 0, depth_max_ulp: 1.0, color_max_error: 1.0 };
 }
 
 impl Outcome {
@@ -70,12 +67,13 @@ impl Outcome {
             && found.color_max_error <= bounds.color_max_error
     }
 
-    /// Numbers that are larger for the worse of two frames: whether a bound is exceeded, then coverage, colour and depth,
-    /// of the arithmetic first.
+    /// Numbers that are larger for the worse of two frames: whether a bound is exceeded, then
+    /// coverage, colour and depth, of the arithmetic first.
     #[must_use]
     pub fn badness(&self) -> [f64; 7] {
         let exceeds = f64::from(u8::from(!self.is_within(&Bounds::ARITHMETIC)));
-        let of = |c: &Comparison| [c.coverage_mismatches as f64, c.color_max_error, c.depth_max_ulp];
+        let of =
+            |c: &Comparison| [c.coverage_mismatches as f64, c.color_max_error, c.depth_max_ulp];
         let ([a, b, c], [d, e, f]) = (of(&self.arithmetic), of(&self.end_to_end));
         [exceeds, a, b, c, d, e, f]
     }
@@ -116,10 +114,12 @@ pub enum Difference {
     },
 }
 
-/// Compares the pixel (x, y) with a reference whose depth of 1 stands for `unit` units of the stored format.
+/// Compares the pixel (x, y) with a reference whose depth of 1 stands for `unit` units of the
+/// stored format.
 ///
-/// Where several layers lie within one unit of depth of the nearest, the stored format cannot tell them apart, and
-/// either is right: the pixel is held against the one whose colour it comes closest to.
+/// Where several layers lie within one unit of depth of the nearest, the stored format cannot tell
+/// them apart, and either is right: the pixel is held against the one whose colour it comes closest
+/// to.
 pub(super) fn difference(
     fixed: &FixedPicture,
     [x, y]: [usize; 2],
@@ -130,11 +130,7 @@ pub(super) fn difference(
     let pixel = fixed.pixels[y * reference.width() + x];
     let is_covered = pixel.depth != 0;
     let Some(nearest) = reference.nearest(x, y) else {
-        return if is_covered {
-            Difference::OnlyFixed
-        } else {
-            Difference::Background
-        };
+        return if is_covered { Difference::OnlyFixed } else { Difference::Background };
     };
     if !is_covered {
         return Difference::OnlyReference { color: nearest.color };
@@ -152,18 +148,20 @@ pub(super) fn difference(
         })
         .min_by(|a, b| (a.0, a.1).partial_cmp(&(b.0, b.1)).unwrap_or(std::cmp::Ordering::Equal))
         .unwrap_or((0.0, 0.0, nearest.color));
-    Difference::Both {
-        color_error,
-        depth_error,
-        color,
-    }
+    Difference::Both { color_error, depth_error, color }
 }
 
 /// Compares a picture with a reference.
-pub(super) fn compare(fixed: &FixedPicture, fixed_time: Duration, depth: DepthFormat, judge: &Judge<'_>) -> Comparison {
+pub(super) fn compare(
+    fixed: &FixedPicture,
+    fixed_time: Duration,
+    depth: DepthFormat,
+    judge: &Judge<'_>,
+) -> Comparison {
     let [width, height] = fixed.size.map(|c| c as usize);
     let (mut pixels, mut coverage_mismatches, mut both) = (0, 0, 0);
-    let (mut depth_max, mut depth_squares, mut color_max, mut color_squares) = (0f64, 0f64, 0f64, 0f64);
+    let (mut depth_max, mut depth_squares, mut color_max, mut color_squares) =
+        (0f64, 0f64, 0f64, 0f64);
     for y in 0..height {
         for x in 0..width {
             let pixel = fixed.pixels[y * width + x];
@@ -178,11 +176,7 @@ pub(super) fn compare(fixed: &FixedPicture, fixed_time: Duration, depth: DepthFo
                     coverage_mismatches += 1;
                     color_squares += squares(pixel.color, color);
                 }
-                Difference::Both {
-                    color_error,
-                    depth_error,
-                    color,
-                } => {
+                Difference::Both { color_error, depth_error, color } => {
                     both += 1;
                     color_max = color_max.max(color_error);
                     depth_max = depth_max.max(depth_error);
@@ -211,8 +205,13 @@ fn squares(color: [u8; 3], reference: [f64; 3]) -> f64 {
     square(0) + square(1) + square(2)
 }
 
-/// The largest distance in x or y between where vertices were placed and where the camera sees the points.
-pub(super) fn vertex_error(placed: &[Option<[f64; 2]>], points: &[[f64; 3]], camera: &Camera) -> f64 {
+/// The largest distance in x or y between where vertices were placed and where the camera sees the
+/// points.
+pub(super) fn vertex_error(
+    placed: &[Option<[f64; 2]>],
+    points: &[[f64; 3]],
+    camera: &Camera,
+) -> f64 {
     let error = |(placed, point): (&Option<[f64; 2]>, &[f64; 3])| {
         placed.map_or(0.0, |[x, y]| {
             let exact = camera.to_screen(camera.to_view(*point));

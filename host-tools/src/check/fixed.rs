@@ -45,9 +45,11 @@ pub struct Pixel {
 /// The picture and what led to it.
 pub(super) struct Drawn {
     pub(super) picture: FixedPicture,
-    /// Where each vertex was placed, in pixels; nothing for those outside near plane, far plane and guard band.
+    /// Where each vertex was placed, in pixels; nothing for those outside near plane, far plane
+    /// and guard band.
     pub(super) vertices: Vec<Option<[f64; 2]>>,
-    /// The triangles that were drawn, as they were placed on the screen; depth in units of the stored format.
+    /// The triangles that were drawn, as they were placed on the screen; depth in units of the
+    /// stored format.
     pub(super) triangles: Vec<ScreenTriangle>,
     /// How long the core took for vertices and triangles.
     pub(super) time: Duration,
@@ -75,7 +77,9 @@ impl Leveled for Flat<Rgb888> {
         let light = self.light();
         let dot: f64 = (0..3)
             .map(|i| {
-                f64::from(mesh.tables().face_normals[index][i]) / 127.0 * f64::from(light.toward()[i]) / 2f64.powi(30)
+                f64::from(mesh.tables().face_normals[index][i]) / 127.0
+                    * f64::from(light.toward()[i])
+                    / 2f64.powi(30)
             })
             .sum();
         (light.ambient().to_num::<f64>() + light.diffuse().to_num::<f64>() * dot.max(0.0)).min(1.0)
@@ -96,11 +100,17 @@ pub(super) fn draw(model: &Model, view: &View) -> Result<Drawn, ViewError> {
         view::Projection::Perspective { field_of_view_degrees } => {
             by_camera(model, view, &view.perspective(field_of_view_degrees)?)
         }
-        view::Projection::Orthographic { height } => by_camera(model, view, &view.orthographic(height)?),
+        view::Projection::Orthographic { height } => {
+            by_camera(model, view, &view.orthographic(height)?)
+        }
     }
 }
 
-fn by_camera<P: Projection>(model: &Model, view: &View, camera: &Camera<P>) -> Result<Drawn, ViewError> {
+fn by_camera<P: Projection>(
+    model: &Model,
+    view: &View,
+    camera: &Camera<P>,
+) -> Result<Drawn, ViewError> {
     match view.subpixel {
         view::Subpixel::S4 => by_precision::<P, S4>(model, view, camera),
         view::Subpixel::S8 => by_precision::<P, S8>(model, view, camera),
@@ -126,7 +136,9 @@ fn by_depth<P: Projection, S: Subpixel, D: Judged>(
     let light = View::light();
     match view.shading {
         Shading::Flat => by_shader::<P, S, D, _>(model, view, camera, Flat::new(light)),
-        Shading::Gouraud => by_shader::<P, S, D, _>(model, view, camera, Gouraud::with_levels(light)),
+        Shading::Gouraud => {
+            by_shader::<P, S, D, _>(model, view, camera, Gouraud::with_levels(light))
+        }
         Shading::Unlit => by_shader::<P, S, D, _>(model, view, camera, Unlit::new()),
     }
 }
@@ -170,7 +182,8 @@ fn by_shader<P: Projection, S: Subpixel, D: Judged, Sh: Leveled>(
         });
         Ok::<(), Infallible>(())
     });
-    let place = |vertex: &ScreenVertex<S, D, Sh::Varyings>| vertex.position().map(|p| p.map(to_pixels));
+    let place =
+        |vertex: &ScreenVertex<S, D, Sh::Varyings>| vertex.position().map(|p| p.map(to_pixels));
     let vertices = projected.vertices().iter().map(place).collect();
     let pixel = |(color, depth): (&Rgb888, &D)| Pixel {
         color: [color.r(), color.g(), color.b()],

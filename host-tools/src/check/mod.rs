@@ -2,11 +2,13 @@
 //!
 //! Two comparisons are kept apart, because they ask different questions:
 //!
-//! * **arithmetic**: are the computations right? The reference gets the vertices as the core has placed them on the
-//!   screen, quantised and snapped. Coverage must then be equal, a depth within one unit of its format, a colour within
-//!   one of 256 steps: [`Bounds`] says so, and [`Outcome::is_within`] judges.
-//! * **end to end**: what does all rounding cost in the picture? The reference starts from the OBJ file's own numbers
-//!   and rounds nothing. There is no bound that holds for every model, so this is for the reader to judge.
+//! * **arithmetic**: are the computations right? The reference gets the vertices as the core has
+//!   placed them on the screen, quantised and snapped. Coverage must then be equal, a depth within
+//!   one unit of its format, a colour within one of 256 steps: [`Bounds`] says so, and
+//!   [`Outcome::is_within`] judges.
+//! * **end to end**: what does all rounding cost in the picture? The reference starts from the OBJ
+//!   file's own numbers and rounds nothing. There is no bound that holds for every model, so this
+//!   is for the reader to judge.
 
 mod compare;
 mod fixed;
@@ -37,7 +39,8 @@ pub struct Checked {
 }
 
 impl Checked {
-    /// How the pixel (x, y) of the fixed-point picture differs from the reference on the core's own vertices.
+    /// How the pixel (x, y) of the fixed-point picture differs from the reference on the core's own
+    /// vertices.
     ///
     /// # Panics
     ///
@@ -69,7 +72,8 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
     let size = view.size.map(|c| c as usize);
 
     let drawn = fixed::draw(model, view)?;
-    let (arithmetic, arithmetic_time) = timed(|| reference::draw_screen(&drawn.triangles, size.into()));
+    let (arithmetic, arithmetic_time) =
+        timed(|| reference::draw_screen(&drawn.triangles, size.into()));
     let mesh = view.reference_mesh(model);
     let culling = reference::Culling::Back;
     let shading = view.shading.into();
@@ -78,7 +82,8 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
 
     let rounded = view.rounded();
     let quantised = rounded.pose_points(&quantised_positions(model));
-    let placed = |positions: &[[f64; 3]], camera| compare::vertex_error(&drawn.vertices, positions, &camera);
+    let placed =
+        |positions: &[[f64; 3]], camera| compare::vertex_error(&drawn.vertices, positions, &camera);
     let judge = |judge: &Judge<'_>| compare::compare(&drawn.picture, drawn.time, view.depth, judge);
     let outcome = Outcome {
         arithmetic: judge(&Judge {
@@ -94,13 +99,7 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
             time: end_to_end_time,
         }),
     };
-    Ok(Checked {
-        outcome,
-        fixed: drawn.picture,
-        arithmetic,
-        end_to_end,
-        depth: view.depth,
-    })
+    Ok(Checked { outcome, fixed: drawn.picture, arithmetic, end_to_end, depth: view.depth })
 }
 
 /// Draws a model by the fixed-point core alone.

@@ -127,9 +127,7 @@ impl Default for View {
         Self {
             size: [320, 240],
             distance: 3.0,
-            projection: Projection::Perspective {
-                field_of_view_degrees: 40.0,
-            },
+            projection: Projection::Perspective { field_of_view_degrees: 40.0 },
             near: 0.1,
             far: 100.0,
             yaw_degrees: 30.0,
@@ -174,7 +172,8 @@ const AMBIENT: &str = "0.2";
 const DIFFUSE: &str = "0.8";
 
 impl View {
-    /// The same view with the model turned a little further about y: step `frame` of `frames` in a full turn.
+    /// The same view with the model turned a little further about y: step `frame` of `frames` in a
+    /// full turn.
     #[must_use]
     pub fn turned(self, frame: u32, frames: u32) -> Self {
         Self {
@@ -190,10 +189,12 @@ impl View {
         Self {
             distance: length(self.distance),
             projection: match self.projection {
-                Projection::Perspective { field_of_view_degrees } => Projection::Perspective {
-                    field_of_view_degrees: turn(field_of_view_degrees),
-                },
-                Projection::Orthographic { height } => Projection::Orthographic { height: length(height) },
+                Projection::Perspective { field_of_view_degrees } => {
+                    Projection::Perspective { field_of_view_degrees: turn(field_of_view_degrees) }
+                }
+                Projection::Orthographic { height } => {
+                    Projection::Orthographic { height: length(height) }
+                }
             },
             near: length(self.near),
             far: length(self.far),
@@ -225,7 +226,10 @@ impl View {
         Ok(Camera::at(eye, Rotation::IDENTITY, projection, self.area())?)
     }
 
-    pub(super) fn perspective(&self, field_of_view_degrees: f64) -> Result<Camera<Perspective>, ViewError> {
+    pub(super) fn perspective(
+        &self,
+        field_of_view_degrees: f64,
+    ) -> Result<Camera<Perspective>, ViewError> {
         let degrees = checked("the field of view", field_of_view_degrees, 0.01, 179.9)?;
         let [near, far] = self.depth_range()?;
         self.fixed_camera(Perspective::new(angle(degrees), near, far)?)
@@ -268,23 +272,25 @@ impl View {
             target: [0.0, 0.0, self.distance - 1.0],
             up: [0.0, 1.0, 0.0],
             projection: match self.projection {
-                Projection::Perspective { field_of_view_degrees } => reference::Projection::Perspective {
-                    focal_length_px: reference::Projection::focal_length_px(field_of_view_degrees.to_radians(), height),
-                    near,
-                    far,
-                },
-                Projection::Orthographic { height: view_height } => reference::Projection::Orthographic {
-                    pixels_per_unit: height / view_height,
-                    near,
-                    far,
-                },
+                Projection::Perspective { field_of_view_degrees } => {
+                    reference::Projection::Perspective {
+                        focal_length_px: reference::Projection::focal_length_px(
+                            field_of_view_degrees.to_radians(),
+                            height,
+                        ),
+                        near,
+                        far,
+                    }
+                }
+                Projection::Orthographic { height: view_height } => {
+                    reference::Projection::Orthographic {
+                        pixels_per_unit: height / view_height,
+                        near,
+                        far,
+                    }
+                }
             },
-            viewport: reference::Viewport {
-                x: 0.0,
-                y: 0.0,
-                width,
-                height,
-            },
+            viewport: reference::Viewport { x: 0.0, y: 0.0, width, height },
         }
     }
 
@@ -314,7 +320,9 @@ impl View {
 
 /// The colour of each triangle's material.
 pub(super) fn triangle_colors(model: &Model) -> Vec<[f64; 3]> {
-    let run = |m: &rasterizer::mesh::Material| std::iter::repeat_n(m.color.map(f64::from), m.triangle_count as usize);
+    let run = |m: &rasterizer::mesh::Material| {
+        std::iter::repeat_n(m.color.map(f64::from), m.triangle_count as usize)
+    };
     model.materials.iter().flat_map(run).collect()
 }
 
@@ -331,12 +339,7 @@ fn checked(what: &'static str, value: f64, least: f64, most: f64) -> Result<f64,
     if value >= least && value <= most {
         Ok(value)
     } else {
-        Err(ViewError::OutOfRange {
-            what,
-            value,
-            least,
-            most,
-        })
+        Err(ViewError::OutOfRange { what, value, least, most })
     }
 }
 

@@ -37,8 +37,8 @@ Exit status: 0 if the arithmetic keeps its bounds, 1 if not, 2 for bad usage or 
 pub(super) struct Arguments {
     /// The OBJ file
     model: PathBuf,
-    /// Directory for fixed.png, reference.png and difference.png [default: target/check/NAME, or NAME-check if there
-    /// is no directory target]
+    /// Directory for fixed.png, reference.png and difference.png [default: target/check/NAME, or
+    /// NAME-check if there is no directory target]
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
     /// Print the result as one JSON object
@@ -97,10 +97,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let worst = worst_frame(path, &model, &view, frames)?;
     let directory = (arguments.pictures.clone()).unwrap_or_else(|| default_directory(path));
     fs::create_dir_all(&directory).map_err(|error| {
-        anyhow!(
-            "{}: {error}: name another directory for the pictures",
-            directory.display()
-        )
+        anyhow!("{}: {error}: name another directory for the pictures", directory.display())
     })?;
     let pictures = Pictures {
         fixed: directory.join("fixed.png"),
@@ -143,13 +140,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     Ok(Done { text, is_within_bounds })
 }
 
-/// Checks every frame of the turntable and keeps the worst: one that exceeds a bound, if there is any.
+/// Checks every frame of the turntable and keeps the worst: one that exceeds a bound, if there is
+/// any.
 pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) -> Result<Worst> {
     let progress = Progress::over(frames, "checking");
     let mut worst: Option<Worst> = None;
     for frame in 0..frames {
-        let checked =
-            check::check(model, &view.turned(frame, frames)).map_err(|error| render::refused(path, &error))?;
+        let checked = check::check(model, &view.turned(frame, frames))
+            .map_err(|error| render::refused(path, &error))?;
         let is_worse = |worst: &Worst| checked.outcome.badness() > worst.checked.outcome.badness();
         if shows_something(&checked.outcome) && worst.as_ref().is_none_or(is_worse) {
             worst = Some(Worst { frame, checked });

@@ -36,7 +36,8 @@ pub(super) struct Arguments {
     /// The name of the static, written in capitals [default: that of the model]
     #[arg(long)]
     name: Option<String>,
-    /// Keep the file's coordinates; without, the model is fitted into a sphere of radius 1 about the origin
+    /// Keep the file's coordinates; without, the model is fitted into a sphere of radius 1 about
+    /// the origin
     #[arg(long)]
     keep_units: bool,
     /// Up to this angle between two faces, a computed normal is smooth across their edge
@@ -94,7 +95,8 @@ struct Json<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
-    let path = (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".rs"));
+    let path =
+        (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".rs"));
     let model = load(&arguments.model, &arguments.options())?;
     write(&model, &path, arguments.force)?;
     let text = if arguments.json {

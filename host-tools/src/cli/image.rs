@@ -15,11 +15,12 @@ pub(super) struct Image {
     pub(super) rgb: Vec<[u8; 3]>,
 }
 
-/// What the pictures are drawn on: a grey-blue dark enough for light models, light enough for shadows.
+/// What the pictures are drawn on: a grey-blue dark enough for light models, light enough for
+/// shadows.
 pub(super) const BACKGROUND: [u8; 3] = [0x28, 0x32, 0x40];
 
-/// By how much the difference picture amplifies colour differences: 8 steps of 256 and more are at full strength, and
-/// a single one can still be seen.
+/// By how much the difference picture amplifies colour differences: 8 steps of 256 and more are at
+/// full strength, and a single one can still be seen.
 pub(super) const AMPLIFICATION: f64 = 32.0;
 
 const AMPLIFIED: [f64; 3] = [255.0, 214.0, 0.0];
@@ -47,11 +48,7 @@ impl Legend {
         let same = format!("colours differ, amplified {AMPLIFICATION} times");
         [
             ("yellow", same, self.amplified),
-            (
-                "magenta",
-                "only the fixed-point picture covers the pixel".into(),
-                self.only_fixed,
-            ),
+            ("magenta", "only the fixed-point picture covers the pixel".into(), self.only_fixed),
             ("cyan", "only the reference covers it".into(), self.only_reference),
             ("red", "the arithmetic exceeds a bound".into(), self.out_of_bounds),
         ]
@@ -61,10 +58,7 @@ impl Legend {
 /// The fixed-point picture on a background.
 pub(super) fn of_fixed(picture: &FixedPicture, background: [u8; 3]) -> Image {
     let color = |pixel: &Pixel| if pixel.depth == 0 { background } else { pixel.color };
-    Image {
-        size: picture.size,
-        rgb: picture.pixels.iter().map(color).collect(),
-    }
+    Image { size: picture.size, rgb: picture.pixels.iter().map(color).collect() }
 }
 
 /// The reference picture on a background.
@@ -75,8 +69,8 @@ pub(super) fn of_reference(picture: &Picture, background: [u8; 3]) -> Image {
     })
 }
 
-/// How the fixed-point picture differs from the end-to-end reference, over a dim grey picture of the model. Pixels in
-/// the loud colours are framed, or a single one would be overlooked.
+/// How the fixed-point picture differs from the end-to-end reference, over a dim grey picture of
+/// the model. Pixels in the loud colours are framed, or a single one would be overlooked.
 pub(super) fn of_differences(checked: &Checked, bounds: &Bounds) -> (Image, Legend) {
     let mut legend = Legend::default();
     let mut image = over(&checked.end_to_end, |x, y| {
@@ -96,7 +90,8 @@ pub(super) fn of_differences(checked: &Checked, bounds: &Bounds) -> (Image, Lege
             }
             Difference::Both { color_error, color, .. } => {
                 legend.amplified += usize::from(color_error > 0.0);
-                // A quarter of the brightness, and enough to set the darkest model off the background.
+                // A quarter of the brightness, and enough to set the darkest model off the
+                // background.
                 let grey = 32.0 + (color[0] + color[1] + color[2]) / 3.0 / 4.0;
                 let strength = (color_error * AMPLIFICATION / 255.0).min(1.0);
                 AMPLIFIED.map(|c| (grey + (c - grey) * strength).round() as u8)
@@ -111,11 +106,9 @@ fn exceeds(difference: &Difference, bounds: &Bounds) -> bool {
     match *difference {
         Difference::Background => false,
         Difference::OnlyFixed | Difference::OnlyReference { .. } => true,
-        Difference::Both {
-            color_error,
-            depth_error,
-            ..
-        } => color_error > bounds.color_max_error || depth_error > bounds.depth_max_ulp,
+        Difference::Both { color_error, depth_error, .. } => {
+            color_error > bounds.color_max_error || depth_error > bounds.depth_max_ulp
+        }
     }
 }
 
@@ -127,24 +120,26 @@ fn over(picture: &Picture, mut color: impl FnMut(usize, usize) -> [u8; 3]) -> Im
             rgb.push(color(x, y));
         }
     }
-    Image {
-        size: [width as u32, height as u32],
-        rgb,
-    }
+    Image { size: [width as u32, height as u32], rgb }
 }
 
 impl Image {
-    /// Draws a square around each pixel that has one of the `loud` colours, in that colour at half its strength.
+    /// Draws a square around each pixel that has one of the `loud` colours, in that colour at half
+    /// its strength.
     fn frame(&mut self, loud: &[[u8; 3]]) {
         const RADIUS: i64 = 4;
         let [width, height] = self.size.map(i64::from);
         let original = self.rgb.clone();
         for (index, color) in (0..).zip(&original).filter(|(_, color)| loud.contains(color)) {
             let (x, y) = (index % width, index / width);
-            let sides = (-RADIUS..=RADIUS).flat_map(|i| [(i, -RADIUS), (i, RADIUS), (-RADIUS, i), (RADIUS, i)]);
+            let sides = (-RADIUS..=RADIUS)
+                .flat_map(|i| [(i, -RADIUS), (i, RADIUS), (-RADIUS, i), (RADIUS, i)]);
             for (x, y) in sides.map(|(dx, dy)| (x + dx, y + dy)) {
                 let place = (y * width + x) as usize;
-                if (0..width).contains(&x) && (0..height).contains(&y) && !loud.contains(&original[place]) {
+                if (0..width).contains(&x)
+                    && (0..height).contains(&y)
+                    && !loud.contains(&original[place])
+                {
                     self.rgb[place] = color.map(|c| c / 2);
                 }
             }
@@ -157,10 +152,7 @@ impl Image {
             let color = Rgb888::from(Rgb565::from(Rgb888::new(r, g, b)));
             [color.r(), color.g(), color.b()]
         };
-        Self {
-            size: self.size,
-            rgb: self.rgb.iter().map(shown).collect(),
-        }
+        Self { size: self.size, rgb: self.rgb.iter().map(shown).collect() }
     }
 }
 
@@ -179,12 +171,7 @@ mod tests {
 
     /// A row of pixels, those at `covered` drawn in grey.
     fn row(covered: &[(usize, f64)], depth: f64) -> Picture {
-        let vertex = |x, y| ScreenVertex {
-            x,
-            y,
-            depth,
-            level: 1.0,
-        };
+        let vertex = |x, y| ScreenVertex { x, y, depth, level: 1.0 };
         let pixel = |&(x, grey): &(usize, f64)| {
             let x = x as f64;
             ScreenTriangle {
@@ -196,18 +183,9 @@ mod tests {
     }
 
     fn checked() -> Checked {
-        let mut pixels = vec![
-            Pixel {
-                color: [0; 3],
-                depth: 0
-            };
-            WIDTH
-        ];
+        let mut pixels = vec![Pixel { color: [0; 3], depth: 0 }; WIDTH];
         for (x, grey) in [(1, 108), (3, 108), (4, 108), (5, 100)] {
-            pixels[x] = Pixel {
-                color: [grey; 3],
-                depth: DEPTH,
-            };
+            pixels[x] = Pixel { color: [grey; 3], depth: DEPTH };
         }
         let comparison = Comparison {
             pixels: 4,
@@ -221,14 +199,8 @@ mod tests {
             reference_ms: 0.0,
         };
         Checked {
-            outcome: Outcome {
-                arithmetic: comparison,
-                end_to_end: comparison,
-            },
-            fixed: FixedPicture {
-                size: [WIDTH as u32, 1],
-                pixels,
-            },
+            outcome: Outcome { arithmetic: comparison, end_to_end: comparison },
+            fixed: FixedPicture { size: [WIDTH as u32, 1], pixels },
             arithmetic: row(&[(1, 108.0), (3, 108.0), (5, 100.0)], DEPTH.into()),
             end_to_end: row(
                 &[(1, 100.0), (2, 50.0), (5, 100.0)],
@@ -242,29 +214,23 @@ mod tests {
     fn each_difference_has_its_color() {
         let (image, legend) = of_differences(&checked(), &Bounds::ARITHMETIC);
         assert_eq!(image.size, [10, 1]);
-        // 8 steps are full strength, equal pixels a quarter of their brightness over 32; 8 is the frame of 4.
+        // 8 steps are full strength, equal pixels a quarter of their brightness over 32; 8 is the
+        // frame of 4.
         assert_eq!(image.rgb[1], [255, 214, 0]);
         assert_eq!(image.rgb[2..6], [ONLY_REFERENCE, ONLY_FIXED, OUT_OF_BOUNDS, [57; 3]]);
         assert_eq!(image.rgb[6], ONLY_REFERENCE.map(|c| c / 2));
         assert_eq!(image.rgb[8], OUT_OF_BOUNDS.map(|c| c / 2));
         assert_eq!(image.rgb[9], NOTHING);
-        let expected = Legend {
-            amplified: 1,
-            only_fixed: 1,
-            only_reference: 1,
-            out_of_bounds: 1,
-        };
+        let expected = Legend { amplified: 1, only_fixed: 1, only_reference: 1, out_of_bounds: 1 };
         assert_eq!(legend, expected);
     }
 
     #[test]
     fn a_wrong_depth_or_color_is_out_of_bounds() {
-        for (color_error, depth_error, expected) in [(1.0, 1.0, false), (2.0, 0.0, true), (0.0, 2.0, true)] {
-            let difference = Difference::Both {
-                color_error,
-                depth_error,
-                color: [0.0; 3],
-            };
+        for (color_error, depth_error, expected) in
+            [(1.0, 1.0, false), (2.0, 0.0, true), (0.0, 2.0, true)]
+        {
+            let difference = Difference::Both { color_error, depth_error, color: [0.0; 3] };
             assert_eq!(exceeds(&difference, &Bounds::ARITHMETIC), expected);
         }
     }
@@ -272,10 +238,8 @@ mod tests {
     #[test]
     fn both_pictures_lie_on_the_same_background() {
         let checked = checked();
-        let (fixed, reference) = (
-            of_fixed(&checked.fixed, [1, 2, 3]),
-            of_reference(&checked.end_to_end, [1, 2, 3]),
-        );
+        let (fixed, reference) =
+            (of_fixed(&checked.fixed, [1, 2, 3]), of_reference(&checked.end_to_end, [1, 2, 3]));
         assert_eq!((fixed.rgb[0], reference.rgb[0]), ([1, 2, 3], [1, 2, 3]));
         assert_eq!((fixed.rgb[1], reference.rgb[1]), ([108; 3], [100; 3]));
     }

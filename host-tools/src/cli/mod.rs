@@ -1,4 +1,5 @@
-//! The arguments, and what an exit status means: 0 all well, 1 a bound is exceeded, 2 bad usage or bad input.
+//! The arguments, and what an exit status means: 0 all well, 1 a bound is exceeded, 2 bad usage or
+//! bad input.
 
 mod check;
 mod convert;
@@ -30,9 +31,11 @@ Examples:
 
 Exit status: 0 if all went well, 1 if the check exceeds a bound, 2 for bad usage or bad input.";
 
-/// Turns OBJ models into const tables for the fixed-point rasterizer, and checks its pictures against an f64 reference.
+/// Turns OBJ models into const tables for the fixed-point rasterizer, and checks its pictures
+/// against an f64 reference.
 ///
-/// Without a command: converts, renders and checks a model, and leaves tables and pictures in the directory `target`.
+/// Without a command: converts, renders and checks a model, and leaves tables and pictures in the
+/// directory `target`.
 #[derive(Debug, Parser)]
 #[command(version, after_help = EXAMPLES, args_conflicts_with_subcommands = true)]
 struct Arguments {
@@ -43,7 +46,8 @@ struct Arguments {
     model: Option<PathBuf>,
 }
 
-/// Lets all paths pass but a bare word that is no file: for that, "no such file" would be a puzzling answer.
+/// Lets all paths pass but a bare word that is no file: for that, "no such file" would be a
+/// puzzling answer.
 fn no_mistyped_command(path: PathBuf) -> Result<PathBuf, &'static str> {
     if path.exists() || path.extension().is_some() || path.components().count() > 1 {
         Ok(path)
@@ -70,21 +74,20 @@ struct Done {
 impl From<String> for Done {
     /// For commands that have no bounds.
     fn from(text: String) -> Self {
-        Self {
-            text,
-            is_within_bounds: true,
-        }
+        Self { text, is_within_bounds: true }
     }
 }
 
 /// Runs the program.
 pub(crate) fn run() -> ExitCode {
     let arguments = Arguments::try_parse().unwrap_or_else(|error| {
-        // A mistyped command is taken for the model, and what follows for a command that cannot follow it.
+        // A mistyped command is taken for the model, and what follows for a command that cannot
+        // follow it.
         if error.kind() == ErrorKind::ArgumentConflict
             && let Some(word) = std::env::args_os().nth(1)
         {
-            let _ = Arguments::try_parse_from([OsStr::new("host-tools"), &word]).map_err(|error| error.exit());
+            let _ = Arguments::try_parse_from([OsStr::new("host-tools"), &word])
+                .map_err(|error| error.exit());
         }
         error.exit()
     });

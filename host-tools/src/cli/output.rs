@@ -14,7 +14,9 @@ use host_tools::model::write_atomically;
 pub(super) fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context("the result could not be printed"),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(error).context("the result could not be printed")
+        }
         _ => Ok(()),
     }
 }
@@ -31,8 +33,8 @@ pub(super) fn named_after(model: &Path, ending: &str) -> PathBuf {
     name.into()
 }
 
-/// Refuses what cannot or must not be written to: a directory, a device, a missing directory, and a file that does not
-/// start with `mark` and so was not made by this program.
+/// Refuses what cannot or must not be written to: a directory, a device, a missing directory, and a
+/// file that does not start with `mark` and so was not made by this program.
 pub(super) fn allow(path: &Path, mark: &[u8], otherwise: impl Display) -> Result<()> {
     let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty());
     if let Some(directory) = directory.filter(|directory| !directory.is_dir()) {
@@ -51,18 +53,13 @@ pub(super) fn allow(path: &Path, mark: &[u8], otherwise: impl Display) -> Result
         bail!("{} is a directory: name a file in it for the result", path.display());
     }
     if !metadata.is_file() {
-        bail!(
-            "{} is not an ordinary file: choose another name for the result",
-            path.display()
-        );
+        bail!("{} is not an ordinary file: choose another name for the result", path.display());
     }
     let mut start = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(mark.len() as u64).read_to_end(&mut start));
+    let read =
+        File::open(path).and_then(|file| file.take(mark.len() as u64).read_to_end(&mut start));
     if read.is_err() || start != mark {
-        bail!(
-            "{} exists and was not made by this program: {otherwise}",
-            path.display()
-        );
+        bail!("{} exists and was not made by this program: {otherwise}", path.display());
     }
     Ok(())
 }

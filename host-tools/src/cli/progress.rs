@@ -10,11 +10,8 @@ pub(super) struct Progress(ProgressBar);
 impl Progress {
     /// A bar for several frames; for one, a spinner.
     pub(super) fn over(frames: u32, doing: &'static str) -> Self {
-        let bar = if frames > 1 {
-            ProgressBar::new(frames.into())
-        } else {
-            ProgressBar::new_spinner()
-        };
+        let bar =
+            if frames > 1 { ProgressBar::new(frames.into()) } else { ProgressBar::new_spinner() };
         let template = if frames > 1 {
             "{msg} [{bar:30}] frame {pos} of {len}, {eta} left"
         } else {

@@ -44,14 +44,13 @@ fn color(text: &str) -> Result<Color, String> {
     let digits = text.strip_prefix('#').unwrap_or(text);
     let is_color = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
     let number = u32::from_str_radix(digits, 16).ok().filter(|_| is_color);
-    let [_, r, g, b] = number
-        .ok_or("write six hexadecimal digits, as in 283240")?
-        .to_be_bytes();
+    let [_, r, g, b] = number.ok_or("write six hexadecimal digits, as in 283240")?.to_be_bytes();
     Ok(Color([r, g, b]))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
-    let path = (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".png"));
+    let path =
+        (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".png"));
     output::allow_png(&path)?;
     let model = convert::load(&arguments.model, &arguments.view.conversion())?;
     let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
@@ -74,11 +73,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         output::complain("warning", &nothing_seen(&arguments.model));
     }
     let [width, height] = view.size;
-    let frames = if frames > 1 {
-        format!(", {frames} frames")
-    } else {
-        String::new()
-    };
+    let frames = if frames > 1 { format!(", {frames} frames") } else { String::new() };
     Ok(format!("Wrote {}: {width}x{height} pixels{frames}\n", path.display()).into())
 }
 

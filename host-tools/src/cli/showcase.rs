@@ -31,8 +31,9 @@ pub(super) fn run(model: Option<&Path>) -> Result<Done> {
     let picture = image::of_fixed(&render::draw(&path, &model, &view)?, image::BACKGROUND);
     let worst = worst_frame(&path, &model, &view, FRAMES)?;
 
-    fs::create_dir_all(DIRECTORY)
-        .map_err(|error| anyhow!("{DIRECTORY}: {error}: the results go there, so start this in another directory"))?;
+    fs::create_dir_all(DIRECTORY).map_err(|error| {
+        anyhow!("{DIRECTORY}: {error}: the results go there, so start this in another directory")
+    })?;
     let file = |ending| Path::new(DIRECTORY).join(output::named_after(&path, ending));
     let tables = file(".rs");
     let rendered = file(".png");
@@ -87,20 +88,14 @@ More: host-tools --help
         comparisons = table::comparisons(&outcome, &bounds),
         meaning = table::meaning(&outcome, &bounds),
     );
-    Ok(Done {
-        text,
-        is_within_bounds: outcome.is_within(&bounds),
-    })
+    Ok(Done { text, is_within_bounds: outcome.is_within(&bounds) })
 }
 
 /// The rocket, where this program was built.
 fn shipped_model() -> Result<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/rocket.obj");
     if !path.is_file() {
-        bail!(
-            "{} is no longer there: name a model, as in `host-tools model.obj`",
-            path.display()
-        );
+        bail!("{} is no longer there: name a model, as in `host-tools model.obj`", path.display());
     }
     Ok(path)
 }

@@ -20,11 +20,7 @@ struct Row {
 /// Both comparisons side by side, with the bounds and whether they are kept.
 pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     let Outcome { arithmetic, end_to_end } = outcome;
-    let free = |title, figure| Row {
-        title,
-        figure,
-        bound: None,
-    };
+    let free = |title, figure| Row { title, figure, bound: None };
     let bounded = |title, figure: fn(&Comparison) -> String, found: f64, bound: f64| Row {
         title,
         figure,
@@ -51,12 +47,8 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
             arithmetic.color_max_error,
             bounds.color_max_error,
         ),
-        free("PSNR, dB", |c| {
-            c.psnr_db.map_or_else(|| "equal".into(), |db| format!("{db:.1}"))
-        }),
-        free("Vertices off by at most, pixels", |c| {
-            format!("{:.4}", c.vertex_error_max_px)
-        }),
+        free("PSNR, dB", |c| c.psnr_db.map_or_else(|| "equal".into(), |db| format!("{db:.1}"))),
+        free("Vertices off by at most, pixels", |c| format!("{:.4}", c.vertex_error_max_px)),
         free("Fixed-point core, ms", |c| format!("{:.2}", c.fixed_ms)),
         free("Reference, ms", |c| format!("{:.2}", c.reference_ms)),
     ];
@@ -82,11 +74,7 @@ pub(super) fn meaning(outcome: &Outcome, bounds: &Bounds) -> String {
     } else {
         "Arithmetic: OUT OF BOUNDS, the core does not compute what it should. Please report this with the model."
     };
-    let Comparison {
-        pixels,
-        coverage_mismatches,
-        ..
-    } = outcome.end_to_end;
+    let Comparison { pixels, coverage_mismatches, .. } = outcome.end_to_end;
     let share = 100.0 * coverage_mismatches as f64 / pixels.max(1) as f64;
     format!(
         "{verdict}\n\
@@ -129,27 +117,17 @@ mod tests {
         };
         Outcome {
             arithmetic: comparison,
-            end_to_end: Comparison {
-                coverage_mismatches: 123,
-                ..comparison
-            },
+            end_to_end: Comparison { coverage_mismatches: 123, ..comparison },
         }
     }
 
     #[test]
     fn an_exceeded_bound_stands_out() {
         let bounds = Bounds::ARITHMETIC;
-        let (good, bad) = (comparisons(&outcome(1.0), &bounds), comparisons(&outcome(2.0), &bounds));
-        assert_eq!(
-            (good.matches(" ok ").count(), good.matches("FAIL").count()),
-            (3, 0),
-            "{good}"
-        );
-        assert_eq!(
-            (bad.matches(" ok ").count(), bad.matches("FAIL").count()),
-            (2, 1),
-            "{bad}"
-        );
+        let (good, bad) =
+            (comparisons(&outcome(1.0), &bounds), comparisons(&outcome(2.0), &bounds));
+        assert_eq!((good.matches(" ok ").count(), good.matches("FAIL").count()), (3, 0), "{good}");
+        assert_eq!((bad.matches(" ok ").count(), bad.matches("FAIL").count()), (2, 1), "{bad}");
         assert!(
             bad.lines()
                 .any(|line| line.starts_with("Depth error at most") && line.contains("1 FAIL"))

@@ -15,13 +15,11 @@ const MAX_SIZE: u32 = 2048;
 
 const SUBPIXELS: [(&str, Subpixel); 2] = [("4", Subpixel::S4), ("8", Subpixel::S8)];
 const DEPTHS: [(&str, DepthFormat); 2] = [("u16", DepthFormat::U16), ("u32", DepthFormat::U32)];
-const SHADINGS: [(&str, Shading); 3] = [
-    ("flat", Shading::Flat),
-    ("gouraud", Shading::Gouraud),
-    ("unlit", Shading::Unlit),
-];
+const SHADINGS: [(&str, Shading); 3] =
+    [("flat", Shading::Flat), ("gouraud", Shading::Gouraud), ("unlit", Shading::Unlit)];
 
-/// How the model is looked at: from a point on the z axis toward the origin, where the model is turned in place.
+/// How the model is looked at: from a point on the z axis toward the origin, where the model is
+/// turned in place.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "View")]
 pub(super) struct ViewOptions {
@@ -75,12 +73,11 @@ impl ViewOptions {
         View {
             size: self.size,
             distance: self.distance,
-            projection: self.orthographic.map_or(
-                Projection::Perspective {
-                    field_of_view_degrees: self.fov,
-                },
-                |height| Projection::Orthographic { height },
-            ),
+            projection: self
+                .orthographic
+                .map_or(Projection::Perspective { field_of_view_degrees: self.fov }, |height| {
+                    Projection::Orthographic { height }
+                }),
             near: self.near,
             far: self.far,
             yaw_degrees: self.yaw,
@@ -94,10 +91,7 @@ impl ViewOptions {
 
     /// How to convert the model for it.
     pub(super) fn conversion(&self) -> Options {
-        Options {
-            crease_degrees: self.crease,
-            ..Options::default()
-        }
+        Options { crease_degrees: self.crease, ..Options::default() }
     }
 }
 
@@ -124,7 +118,9 @@ pub(super) struct Settings {
 impl Settings {
     pub(super) fn of(model: &Model, view: &View) -> Self {
         let (fov, height) = match view.projection {
-            Projection::Perspective { field_of_view_degrees } => (Some(field_of_view_degrees), None),
+            Projection::Perspective { field_of_view_degrees } => {
+                (Some(field_of_view_degrees), None)
+            }
             Projection::Orthographic { height } => (None, Some(height)),
         };
         Self {
@@ -170,7 +166,10 @@ fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
 }
 
 /// A parser of numbers from `least` to `most`. Infinities and NaN lie in no such range.
-pub(super) fn within(least: f64, most: f64) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+pub(super) fn within(
+    least: f64,
+    most: f64,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
     move |text| {
         let number = text.parse().ok().filter(|n| (least..=most).contains(n));
         number.ok_or_else(|| format!("it must be a number from {least} to {most}"))
@@ -180,10 +179,10 @@ pub(super) fn within(least: f64, most: f64) -> impl Fn(&str) -> Result<f64, Stri
 /// Width and height, as in 320x240.
 fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIZE).contains(n));
-    let sides = text
-        .split_once(['x', 'X'])
-        .and_then(|(w, h)| Some([side(w)?, side(h)?]));
-    sides.ok_or_else(|| format!("write width x height in pixels, each from 1 to {MAX_SIZE}, as in 320x240"))
+    let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
+    sides.ok_or_else(|| {
+        format!("write width x height in pixels, each from 1 to {MAX_SIZE}, as in 320x240")
+    })
 }
 
 #[cfg(test)]
@@ -200,9 +199,7 @@ mod tests {
 
     fn parse(arguments: &[&str]) -> Result<ViewOptions, String> {
         let line = ["x"].iter().chain(arguments);
-        Only::try_parse_from(line)
-            .map(|only| only.view)
-            .map_err(|error| error.to_string())
+        Only::try_parse_from(line).map(|only| only.view).map_err(|error| error.to_string())
     }
 
     #[test]
@@ -237,10 +234,7 @@ mod tests {
     #[test]
     fn silly_values_are_refused_by_name() {
         for (option, values) in [
-            (
-                "--size",
-                &["0x0", "99999x1", "1x2049", "x", "", "-1x1", "3.5x1", "320", "1x1x1"][..],
-            ),
+            ("--size", &["0x0", "99999x1", "1x2049", "x", "", "-1x1", "3.5x1", "320", "1x1x1"][..]),
             ("--distance", &["NaN", "inf", "-1", "1e300", "", "far"]),
             ("--fov", &["0", "180", "NaN", "-40"]),
             ("--orthographic", &["0", "nan", "1e9"]),

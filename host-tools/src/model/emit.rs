@@ -1,8 +1,8 @@
 //! The tables as a Rust source file.
 //!
-//! The file has plain comments only, so that it can be a module or be taken in by `include!`. All tables are statics
-//! inside the initialiser of the one public static, where their names meet no others; `#[rustfmt::skip]` on it keeps a
-//! formatter from putting each number on its own line.
+//! The file has plain comments only, so that it can be a module or be taken in by `include!`. All
+//! tables are statics inside the initialiser of the one public static, where their names meet no
+//! others; `#[rustfmt::skip]` on it keeps a formatter from putting each number on its own line.
 
 use std::fmt::{Display, Write as _};
 
@@ -27,10 +27,7 @@ pub fn source(model: &Model) -> String {
 
 fn header(out: &mut String, model: &Model) -> std::fmt::Result {
     let version = env!("CARGO_PKG_VERSION");
-    writeln!(
-        out,
-        "// A model as const tables, written by host-tools {version}: do not edit."
-    )?;
+    writeln!(out, "// A model as const tables, written by host-tools {version}: do not edit.")?;
     writeln!(out, "//")?;
     for file in &model.provenance {
         let (name, bytes) = (in_comment(&file.file_name), thousands(file.bytes));
@@ -58,21 +55,15 @@ fn options(options: &Options) -> String {
     .into_iter()
     .filter_map(|(kept, name)| kept.then_some(name))
     .collect();
-    let tables = if tables.is_empty() {
-        "none".to_owned()
-    } else {
-        tables.join(", ")
-    };
+    let tables = if tables.is_empty() { "none".to_owned() } else { tables.join(", ") };
     let fit = options.fit;
-    format!(
-        "{fit}, a crease angle of {} degrees, contents: {tables}",
-        options.crease_degrees
-    )
+    format!("{fit}, a crease angle of {} degrees, contents: {tables}", options.crease_degrees)
 }
 
 fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     let (name, file) = (&model.name, in_comment(&model.provenance[0].file_name));
-    let (vertices, triangles) = (thousands(model.positions.len()), thousands(model.report.triangles));
+    let (vertices, triangles) =
+        (thousands(model.positions.len()), thousands(model.report.triangles));
     writeln!(out)?;
     writeln!(out, "/// {file}: {vertices} vertices, {triangles} triangles.")?;
     writeln!(out, "#[rustfmt::skip]")?;
@@ -84,12 +75,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     table(out, "POSITIONS", "[i16; 3]", model.positions.iter().map(row))?;
     table(out, "VERTEX_NORMALS", "[i8; 3]", model.vertex_normals.iter().map(row))?;
     table(out, "FACE_NORMALS", "[i8; 3]", model.face_normals.iter().map(row))?;
-    table(
-        out,
-        "TEXTURE_COORDINATES",
-        "[u16; 2]",
-        model.texture_coordinates.iter().map(row),
-    )?;
+    table(out, "TEXTURE_COORDINATES", "[u16; 2]", model.texture_coordinates.iter().map(row))?;
     let index = match &model.triangles {
         Indices::U8(triangles) => {
             table(out, "TRIANGLES", "[u8; 3]", triangles.iter().map(row))?;
@@ -102,7 +88,8 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     };
     table(out, "MATERIALS", "Material", model.materials.iter().map(material))?;
     let (mantissa, exponent) = (model.scale.mantissa(), model.scale.exponent());
-    let reference = |name: &'static str, empty: bool| if empty { "&[]".into() } else { format!("&{name}") };
+    let reference =
+        |name: &'static str, empty: bool| if empty { "&[]".into() } else { format!("&{name}") };
     writeln!(out, "    Mesh::new_const(Tables {{")?;
     writeln!(out, "        positions: &POSITIONS,")?;
     writeln!(
@@ -111,19 +98,11 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
         mantissa >> 16,
         mantissa & 0xFFFF
     )?;
-    writeln!(
-        out,
-        "        offset: Vec3::from_bits({}),",
-        row(&model.offset.to_bits())
-    )?;
+    writeln!(out, "        offset: Vec3::from_bits({}),", row(&model.offset.to_bits()))?;
     for (field, table, empty) in [
         ("vertex_normals", "VERTEX_NORMALS", model.vertex_normals.is_empty()),
         ("face_normals", "FACE_NORMALS", model.face_normals.is_empty()),
-        (
-            "texture_coordinates",
-            "TEXTURE_COORDINATES",
-            model.texture_coordinates.is_empty(),
-        ),
+        ("texture_coordinates", "TEXTURE_COORDINATES", model.texture_coordinates.is_empty()),
     ] {
         writeln!(out, "        {field}: {},", reference(table, empty))?;
     }
@@ -186,14 +165,18 @@ fn in_comment(name: &str) -> String {
     format!("`{}`", name.escape_debug().to_string().replace('`', "'"))
 }
 
-/// The name of the static for a file stem or for the name asked for: words in capitals, joined by underscores. A word
-/// also starts where a capital follows a small letter. Capitals are no keywords, so any name in them can be used.
+/// The name of the static for a file stem or for the name asked for: words in capitals, joined by
+/// underscores. A word also starts where a capital follows a small letter. Capitals are no
+/// keywords, so any name in them can be used.
 pub(super) fn static_name(name: &str) -> String {
     let mut result = String::new();
     let mut before = ' ';
     for c in name.chars() {
         let starts_word = before.is_lowercase() && c.is_uppercase();
-        if (starts_word || !c.is_ascii_alphanumeric()) && !result.is_empty() && !result.ends_with('_') {
+        if (starts_word || !c.is_ascii_alphanumeric())
+            && !result.is_empty()
+            && !result.ends_with('_')
+        {
             result.push('_');
         }
         if c.is_ascii_alphanumeric() {

@@ -44,19 +44,25 @@ pub enum ModelError {
         fault: LineFault,
     },
     /// The file has no `v` line.
-    #[error("{path} has no vertices (lines `v x y z`): is it an OBJ file, and was anything selected for export?")]
+    #[error(
+        "{path} has no vertices (lines `v x y z`): is it an OBJ file, and was anything selected for export?"
+    )]
     NoVertices {
         /// The file.
         path: PathBuf,
     },
     /// The file has no `f` line.
-    #[error("{path} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points or curves")]
+    #[error(
+        "{path} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points or curves"
+    )]
     NoFaces {
         /// The file.
         path: PathBuf,
     },
     /// All vertices of all faces coincide.
-    #[error("{path} has no size: all its faces' vertices lie at one point; export it again with more decimal places")]
+    #[error(
+        "{path} has no size: all its faces' vertices lie at one point; export it again with more decimal places"
+    )]
     NoSize {
         /// The file.
         path: PathBuf,
@@ -122,7 +128,9 @@ pub enum ModelError {
         range: f64,
     },
     /// The crease angle is out of range.
-    #[error("a crease angle of {degrees} degrees makes no sense: choose 0 (all edges hard) to 180 (all smooth)")]
+    #[error(
+        "a crease angle of {degrees} degrees makes no sense: choose 0 (all edges hard) to 180 (all smooth)"
+    )]
     Crease {
         /// The angle given.
         degrees: f64,
@@ -136,7 +144,9 @@ pub enum ModelError {
         source: tobj::LoadError,
     },
     /// The result could not be written.
-    #[error("{path} could not be written: {source}: check that its directory exists and may be written to")]
+    #[error(
+        "{path} could not be written: {source}: check that its directory exists and may be written to"
+    )]
     Write {
         /// The file that was to be written.
         path: PathBuf,
@@ -144,7 +154,9 @@ pub enum ModelError {
         source: io::Error,
     },
     /// There is no `OUT_DIR`.
-    #[error("OUT_DIR is not set: call this from a build script (build.rs), which Cargo gives that variable")]
+    #[error(
+        "OUT_DIR is not set: call this from a build script (build.rs), which Cargo gives that variable"
+    )]
     NoOutDir,
 }
 
@@ -160,7 +172,9 @@ pub enum LineFault {
         byte: u8,
     },
     /// Fewer numbers than the statement needs.
-    #[error("`{keyword}` needs {needed} numbers and has {found}: complete the line or export the model again")]
+    #[error(
+        "`{keyword}` needs {needed} numbers and has {found}: complete the line or export the model again"
+    )]
     TooFewNumbers {
         /// `v`, `vn` or `vt`.
         keyword: &'static str,
@@ -176,13 +190,17 @@ pub enum LineFault {
         word: String,
     },
     /// NaN or infinity.
-    #[error("`{word}` is not a finite number: repair the model (a division by zero in the exporter?)")]
+    #[error(
+        "`{word}` is not a finite number: repair the model (a division by zero in the exporter?)"
+    )]
     NotFinite {
         /// The word.
         word: String,
     },
     /// A face of one or two corners.
-    #[error("a face needs 3 corners or more and has {found}: remove the line, or make it a line element `l`")]
+    #[error(
+        "a face needs 3 corners or more and has {found}: remove the line, or make it a line element `l`"
+    )]
     TooFewCorners {
         /// How many it has.
         found: usize,
@@ -200,7 +218,9 @@ pub enum LineFault {
         corner: String,
     },
     /// An index that nothing answers to.
-    #[error("`{corner}` names {kind} {index}, but there are {count}: check the export, or that no lines are missing")]
+    #[error(
+        "`{corner}` names {kind} {index}, but there are {count}: check the export, or that no lines are missing"
+    )]
     IndexOutOfRange {
         /// The corner.
         corner: String,
@@ -213,7 +233,8 @@ pub enum LineFault {
     },
 }
 
-/// Shortens a word for a message: a file of one endless line must not become a message of that length.
+/// Shortens a word for a message: a file of one endless line must not become a message of that
+/// length.
 pub(super) fn quote(word: &str) -> String {
     const LONGEST: usize = 40;
     let mut short: String = word.chars().take(LONGEST).collect();

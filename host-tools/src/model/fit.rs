@@ -13,8 +13,8 @@ use super::{
 /// The steps of Q16.16 in a unit.
 const ONE: f64 = 65_536.0;
 
-/// The smallest half-extent kept as it is: 64 steps of Q16.16. Rounding the offset to such a step then lengthens the
-/// half-extent, and so the quantum, by at most half a step in 64, 0.8 %.
+/// The smallest half-extent kept as it is: 64 steps of Q16.16. Rounding the offset to such a step
+/// then lengthens the half-extent, and so the quantum, by at most half a step in 64, 0.8 %.
 const SMALLEST: f64 = 64.0 / ONE;
 
 /// Positions in the units that the tables describe, and the place of their origin.
@@ -26,8 +26,8 @@ pub(super) struct Fitted {
     pub offset: Vec3,
 }
 
-/// The same shape with its largest coordinate from 1 to 2. The factor is a power of two, so nothing is rounded, and no
-/// product of coordinates leaves the range of f64 after it.
+/// The same shape with its largest coordinate from 1 to 2. The factor is a power of two, so nothing
+/// is rounded, and no product of coordinates leaves the range of f64 after it.
 pub(super) fn to_common_size(positions: &[Vector]) -> Vec<Vector> {
     let m = positions.iter().fold(0.0, |m: f64, &p| m.max(largest(p)));
     if m == 0.0 {
@@ -46,7 +46,12 @@ pub(super) fn has_no_size(positions: &[Vector]) -> bool {
 }
 
 /// Applies a fit. `original` are the file's positions and `shape` the same in a common size.
-pub(super) fn fit(path: &Path, original: &[Vector], shape: &[Vector], fit: Fit) -> Result<Fitted, ModelError> {
+pub(super) fn fit(
+    path: &Path,
+    original: &[Vector],
+    shape: &[Vector],
+    fit: Fit,
+) -> Result<Fitted, ModelError> {
     match fit {
         Fit::Unit => {
             let center = center(shape);
@@ -59,18 +64,12 @@ pub(super) fn fit(path: &Path, original: &[Vector], shape: &[Vector], fit: Fit) 
         Fit::Keep => {
             let in_range = |x: &f64| (-32_768.0..32_768.0 - 0.5 / ONE).contains(x);
             if let Some(&value) = original.as_flattened().iter().find(|&x| !in_range(x)) {
-                return Err(ModelError::OutOfRange {
-                    path: path.into(),
-                    value,
-                });
+                return Err(ModelError::OutOfRange { path: path.into(), value });
             }
             let center = center(original);
             let half = original.iter().fold(0.0, |m: f64, &p| m.max(largest(sub(p, center))));
             if half < SMALLEST {
-                return Err(ModelError::TooSmall {
-                    path: path.into(),
-                    size: 2.0 * half,
-                });
+                return Err(ModelError::TooSmall { path: path.into(), size: 2.0 * half });
             }
             Ok(Fitted {
                 positions: original.to_vec(),
@@ -97,11 +96,9 @@ fn center(positions: &[Vector]) -> Vector {
 }
 
 fn bounds(positions: &[Vector]) -> (Vector, Vector) {
-    positions
-        .iter()
-        .fold(([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), |(min, max), p| {
-            ([0, 1, 2].map(|i| min[i].min(p[i])), [0, 1, 2].map(|i| max[i].max(p[i])))
-        })
+    positions.iter().fold(([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]), |(min, max), p| {
+        ([0, 1, 2].map(|i| min[i].min(p[i])), [0, 1, 2].map(|i| max[i].max(p[i])))
+    })
 }
 
 #[cfg(test)]
@@ -139,10 +136,7 @@ mod tests {
     #[test]
     fn what_does_not_fit_says_what_to_do() {
         let error = kept(&[[0.0; 3], [0.0, 32_768.0, 0.0]]).unwrap_err().to_string();
-        assert!(
-            error.contains("coordinate 32768") && error.contains("unit fit"),
-            "{error}"
-        );
+        assert!(error.contains("coordinate 32768") && error.contains("unit fit"), "{error}");
         assert!(kept(&[[-32_768.0; 3], [0.0, 32_767.999, 0.0]]).is_ok());
         let error = kept(&[[5.0; 3], [5.0, 5.001, 5.0]]).unwrap_err().to_string();
         assert!(error.contains("0.001") && error.contains("unit fit"), "{error}");

@@ -1,12 +1,14 @@
 //! From an OBJ file to const tables.
 //!
-//! [`Model::load`] checks the file line by line, cuts its polygons into triangles, computes the normals it lacks, merges
-//! equal vertices, fits and quantises them, and orders the triangles for vertex reuse. [`emit::source`] writes the
-//! result as Rust; [`convert_for_build`] does all of it from a build script; [`Model::mesh`] gives the same tables at
-//! run time. [`Exact`] keeps what they stood for before they were rounded.
+//! [`Model::load`] checks the file line by line, cuts its polygons into triangles, computes the
+//! normals it lacks, merges equal vertices, fits and quantises them, and orders the triangles for
+//! vertex reuse. [`emit::source`] writes the result as Rust; [`convert_for_build`] does all of it
+//! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps what
+//! they stood for before they were rounded.
 //!
-//! Of an OBJ file, positions, normals, texture coordinates, faces and diffuse colours are used. Points, lines, curves,
-//! smoothing groups, vertex colours and the names of textures are passed over.
+//! Of an OBJ file, positions, normals, texture coordinates, faces and diffuse colours are used.
+//! Points, lines, curves, smoothing groups, vertex colours and the names of textures are passed
+//! over.
 
 pub mod emit;
 mod error;
@@ -49,7 +51,8 @@ use weld::Welded;
 pub struct Options {
     /// Where it lies and how large it is.
     pub fit: Fit,
-    /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth across their edge.
+    /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
+    /// across their edge.
     pub crease_degrees: f64,
     /// Which tables to make.
     pub contents: Contents,
@@ -102,11 +105,7 @@ pub struct Contents {
 impl Default for Contents {
     /// Both kinds of normals, no texture coordinates.
     fn default() -> Self {
-        Self {
-            vertex_normals: true,
-            face_normals: true,
-            texture_coordinates: false,
-        }
+        Self { vertex_normals: true, face_normals: true, texture_coordinates: false }
     }
 }
 
@@ -175,8 +174,8 @@ impl Indices {
     }
 }
 
-/// What the tables stood for before they were rounded, in the same order and units. A table that was left out is empty
-/// here too.
+/// What the tables stood for before they were rounded, in the same order and units. A table that
+/// was left out is empty here too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exact {
     /// Positions in model units.
@@ -196,7 +195,8 @@ pub struct Provenance {
     pub file_name: String,
     /// Its size.
     pub bytes: usize,
-    /// The 64-bit FNV-1a hash of its bytes (Fowler, Noll and Vo), which no version of a library or compiler changes.
+    /// The 64-bit FNV-1a hash of its bytes (Fowler, Noll and Vo), which no version of a library or
+    /// compiler changes.
     pub hash: u64,
 }
 
@@ -218,8 +218,9 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// If the file cannot be read, a line of it is wrong, or the model does not fit the tables; each error names the
-    /// file, the line if there is one, and what to do. Faults of material libraries are only [warnings](Self::warnings).
+    /// If the file cannot be read, a line of it is wrong, or the model does not fit the tables;
+    /// each error names the file, the line if there is one, and what to do. Faults of material
+    /// libraries are only [warnings](Self::warnings).
     pub fn load(path: impl AsRef<Path>, options: &Options) -> Result<Self, ModelError> {
         let path = path.as_ref();
         let degrees = options.crease_degrees;
@@ -241,10 +242,7 @@ impl Model {
         }
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         if corners.is_empty() {
-            return Err(ModelError::NoArea {
-                path: path.into(),
-                faces: checked.faces,
-            });
+            return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
         let materials = sort_by_material(&mut corners, &polygons.colors);
         let normals = normals::corner_normals(&corners, &shape, degrees.to_radians());
@@ -257,16 +255,12 @@ impl Model {
         };
         let shape = at(&shape);
         let fitted = fit::fit(path, &at(&polygons.positions), &shape, options.fit)?;
-        let (positions, scale) = quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
-        let exact = exact(
-            path,
-            options.contents,
-            &checked,
-            fitted.positions,
-            &shape,
-            &tables.welded,
-        )?;
-        let (texture_coordinates, texture_fraction_bits) = quantize::textures(path, &exact.texture_coordinates)?;
+        let (positions, scale) =
+            quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
+        let exact =
+            exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?;
+        let (texture_coordinates, texture_fraction_bits) =
+            quantize::textures(path, &exact.texture_coordinates)?;
         if texture_fraction_bits < 8 {
             checked.warnings.push(format!(
                 "{}: texture coordinates range so far that their steps are 1/{} of a texture: move its islands together",
@@ -377,14 +371,12 @@ fn at_most_16_bits(path: &Path, count: usize) -> Result<(), ModelError> {
     if count <= 1 << 16 {
         Ok(())
     } else {
-        Err(ModelError::TooManyVertices {
-            path: path.into(),
-            count,
-        })
+        Err(ModelError::TooManyVertices { path: path.into(), count })
     }
 }
 
-/// Sorts triangles by material, in the order in which materials are first used, and lists the materials used.
+/// Sorts triangles by material, in the order in which materials are first used, and lists the
+/// materials used.
 fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Material> {
     let mut used: Vec<usize> = Vec::new();
     let mut rank = vec![usize::MAX; colors.len()];
@@ -393,10 +385,7 @@ fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Mater
         if rank[material] == usize::MAX {
             rank[material] = used.len();
             used.push(material);
-            materials.push(Material {
-                color: colors[material],
-                triangle_count: 0,
-            });
+            materials.push(Material { color: colors[material], triangle_count: 0 });
         }
         materials[rank[material]].triangle_count += 1;
     }
@@ -447,11 +436,7 @@ fn exact(
     let face_normal = |t: &[u32; 3]| normals::face_normal(t.map(|v| shape[v as usize]));
     Ok(Exact {
         positions,
-        vertex_normals: if contents.vertex_normals {
-            welded.normals.clone()
-        } else {
-            Vec::new()
-        },
+        vertex_normals: if contents.vertex_normals { welded.normals.clone() } else { Vec::new() },
         face_normals: if contents.face_normals {
             welded.triangles.iter().map(face_normal).collect()
         } else {

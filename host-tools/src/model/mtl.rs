@@ -1,6 +1,7 @@
 //! The colours of an OBJ's material libraries.
 //!
-//! A missing or broken library costs the model its colours, not its conversion: each fault is a warning.
+//! A missing or broken library costs the model its colours, not its conversion: each fault is a
+//! warning.
 
 use std::{
     collections::HashSet,
@@ -24,8 +25,9 @@ const LONGEST: usize = 4096;
 /// All libraries of a model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Libraries {
-    /// The statements that count, `newmtl` and `Kd`, each checked: `tobj` panics on a `Kd` of fewer than three numbers
-    /// and drops the whole library for a fault in a line that has nothing to do with colour.
+    /// The statements that count, `newmtl` and `Kd`, each checked: `tobj` panics on a `Kd` of
+    /// fewer than three numbers and drops the whole library for a fault in a line that has
+    /// nothing to do with colour.
     pub text: String,
     /// The files named, whether they could be read or not.
     pub paths: Vec<PathBuf>,
@@ -35,7 +37,8 @@ pub(super) struct Libraries {
     pub warnings: Vec<String>,
 }
 
-/// Reads the libraries that the OBJ file at `obj` names, and says which of its materials have no colour.
+/// Reads the libraries that the OBJ file at `obj` names, and says which of its materials have no
+/// colour.
 pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
     let mut libraries = Libraries::default();
     let mut colored = HashSet::new();
@@ -70,8 +73,9 @@ pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
     libraries
 }
 
-/// The files that a `mtllib` names. The format separates several by blanks, yet many a file name holds blanks: the
-/// whole is one name if there is such a file or no more than one of its words looks like a library's name.
+/// The files that a `mtllib` names. The format separates several by blanks, yet many a file name
+/// holds blanks: the whole is one name if there is such a file or no more than one of its words
+/// looks like a library's name.
 fn files(obj: &Path, argument: &str) -> Vec<PathBuf> {
     let beside = |name: &str| obj.parent().unwrap_or(Path::new("")).join(name);
     let names: Vec<&str> = argument.split_whitespace().collect();
@@ -83,7 +87,11 @@ fn files(obj: &Path, argument: &str) -> Vec<PathBuf> {
     }
 }
 
-fn library(path: &Path, libraries: &mut Libraries, colored: &mut HashSet<String>) -> Result<(), ModelError> {
+fn library(
+    path: &Path,
+    libraries: &mut Libraries,
+    colored: &mut HashSet<String>,
+) -> Result<(), ModelError> {
     let bytes = source::read(path)?;
     let text = source::text(path, &bytes)?;
     libraries.files.push(Provenance::of(path, &bytes));
@@ -111,9 +119,11 @@ fn library(path: &Path, libraries: &mut Libraries, colored: &mut HashSet<String>
             ("Kd", None) => "`Kd` before any `newmtl`",
             _ => continue,
         };
-        libraries
-            .warnings
-            .push(format!("{}:{}: {fault}: passed over", path.display(), statement.line));
+        libraries.warnings.push(format!(
+            "{}:{}: {fault}: passed over",
+            path.display(),
+            statement.line
+        ));
     }
     Ok(())
 }
@@ -159,10 +169,7 @@ mod tests {
     fn colours_are_read_and_everything_else_passed_over() {
         let text = b"# c\r\nnewmtl\tdark red\r\nillum what\r\nKd 0.5 0 \\\r\n0 # c\r\nnewmtl g\r\nKd 0.25\r\nKa 1";
         let libraries = libraries(Some(text), &["dark red", "g"]);
-        assert_eq!(
-            libraries.text,
-            "newmtl dark red\nKd 0.5 0 0\nnewmtl g\nKd 0.25 0.25 0.25\n"
-        );
+        assert_eq!(libraries.text, "newmtl dark red\nKd 0.5 0 0\nnewmtl g\nKd 0.25 0.25 0.25\n");
         assert_eq!(libraries.warnings, [""; 0]);
         assert_eq!(libraries.files[0].bytes, text.len());
     }
@@ -179,17 +186,12 @@ mod tests {
             assert!(warning.contains(part), "{warning}");
         }
         assert_eq!(warnings.len(), 4);
-        let endless = Checked {
-            libraries: vec![(3, "x".repeat(LONGEST + 1))],
-            ..Checked::default()
-        };
+        let endless =
+            Checked { libraries: vec![(3, "x".repeat(LONGEST + 1))], ..Checked::default() };
         let warnings = load(Path::new("m.obj"), &endless).warnings;
         assert!(warnings[0].starts_with("m.obj:3: `mtllib xxx") && warnings[0].len() < 100);
         let missing = libraries(None, &[]).warnings;
-        assert!(
-            missing[0].contains("a b.mtl: ") && missing[0].contains("m.obj:3"),
-            "{missing:?}"
-        );
+        assert!(missing[0].contains("a b.mtl: ") && missing[0].contains("m.obj:3"), "{missing:?}");
         let broken = libraries(Some(b"newmtl \xFF"), &[]).warnings;
         assert!(broken[0].contains("a b.mtl:1: byte 0xFF"), "{broken:?}");
     }

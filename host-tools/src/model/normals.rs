@@ -13,17 +13,22 @@ pub(super) fn face_normal([a, b, c]: [Vector; 3]) -> Vector {
 
 /// A unit normal for each corner of each triangle.
 ///
-/// The file's own where it gives one. Elsewhere the mean of the normals of the faces round the position, each weighted
-/// by its angle there, so that how a polygon was cut makes no difference (Thürmer and Wüthrich, "Computing vertex
-/// normals from polygonal facets", Journal of Graphics Tools 3(1), 1998); only faces that are turned by no more than
-/// `crease` radians from the corner's own take part, so that sharper edges stay hard. The time is quadratic in the number
+/// The file's own where it gives one. Elsewhere the mean of the normals of the faces round the
+/// position, each weighted by its angle there, so that how a polygon was cut makes no difference
+/// (Thürmer and Wüthrich, "Computing vertex normals from polygonal facets", Journal of Graphics
+/// Tools 3(1), 1998); only faces that are turned by no more than `crease` radians from the corner's
+/// own take part, so that sharper edges stay hard. The time is quadratic in the number
 /// of faces round one position, which is small except at the tip of a cone of thousands of sides.
-pub(super) fn corner_normals(triangles: &[Triangle], positions: &[Vector], crease: f64) -> Vec<[Vector; 3]> {
-    let place = |triangle: &Triangle, corner: usize| positions[triangle.corners[corner % 3].position as usize];
-    let faces: Vec<Vector> = triangles
-        .iter()
-        .map(|t| face_normal([0, 1, 2].map(|i| place(t, i))))
-        .collect();
+pub(super) fn corner_normals(
+    triangles: &[Triangle],
+    positions: &[Vector],
+    crease: f64,
+) -> Vec<[Vector; 3]> {
+    let place = |triangle: &Triangle, corner: usize| {
+        positions[triangle.corners[corner % 3].position as usize]
+    };
+    let faces: Vec<Vector> =
+        triangles.iter().map(|t| face_normal([0, 1, 2].map(|i| place(t, i)))).collect();
     let mut around: Vec<Vec<(usize, f64)>> = vec![Vec::new(); positions.len()];
     for (face, triangle) in triangles.iter().enumerate() {
         for corner in 0..3 {
@@ -69,11 +74,7 @@ mod tests {
 
     fn triangle(positions: [u32; 3], normal: Vector) -> Triangle {
         Triangle {
-            corners: positions.map(|position| Corner {
-                position,
-                normal,
-                texture: [0.0; 2],
-            }),
+            corners: positions.map(|position| Corner { position, normal, texture: [0.0; 2] }),
             material: 0,
         }
     }
@@ -89,9 +90,7 @@ mod tests {
     ];
 
     fn roof() -> Vec<Triangle> {
-        [[0, 2, 1], [0, 3, 2], [0, 1, 5], [0, 5, 4]]
-            .map(|t| triangle(t, [0.0; 3]))
-            .to_vec()
+        [[0, 2, 1], [0, 3, 2], [0, 1, 5], [0, 5, 4]].map(|t| triangle(t, [0.0; 3])).to_vec()
     }
 
     #[test]
@@ -99,7 +98,8 @@ mod tests {
         let hard = corner_normals(&roof(), &POSITIONS, 60_f64.to_radians());
         assert_eq!(hard[0], [[0.0, 1.0, 0.0]; 3]);
         assert_eq!(hard[3], [[0.0, 0.0, 1.0]; 3]);
-        // At position 0 two triangles of 45 degrees on either side weigh as much as the single one of 90 at position 1.
+        // At position 0 two triangles of 45 degrees on either side weigh as much as the single one
+        // of 90 at position 1.
         let soft = corner_normals(&roof(), &POSITIONS, 90_f64.to_radians());
         let diagonal = [0.0, 0.5_f64.sqrt(), 0.5_f64.sqrt()];
         for normal in [soft[0][0], soft[0][2], soft[2][0], soft[2][1]] {

@@ -1,14 +1,20 @@
 //! The order of triangles and vertices.
 //!
-//! Triangles that share vertices come close together, so that a small cache of transformed vertices serves most of them
-//! (the optimiser is meshoptimizer's, after T. Forsyth, "Linear-speed vertex cache optimisation", 2006). Vertices are in
-//! order of first use, so that flash is read front to back.
+//! Triangles that share vertices come close together, so that a small cache of transformed vertices
+//! serves most of them (the optimiser is meshoptimizer's, after T. Forsyth, "Linear-speed vertex
+//! cache optimisation", 2006). Vertices are in order of first use, so that flash is read front to
+//! back.
 
 /// The size of the first-in-first-out cache by which an order is judged.
 const CACHE: u32 = 16;
 
-/// Reorders the triangles within each run of `run_lengths`, where that makes for fewer cache misses.
-pub(super) fn triangles(triangles: &[[u32; 3]], run_lengths: &[usize], vertices: usize) -> Vec<[u32; 3]> {
+/// Reorders the triangles within each run of `run_lengths`, where that makes for fewer cache
+/// misses.
+pub(super) fn triangles(
+    triangles: &[[u32; 3]],
+    run_lengths: &[usize],
+    vertices: usize,
+) -> Vec<[u32; 3]> {
     let mut ordered = Vec::with_capacity(triangles.len());
     let mut rest = triangles;
     for &length in run_lengths {
@@ -22,7 +28,8 @@ pub(super) fn triangles(triangles: &[[u32; 3]], run_lengths: &[usize], vertices:
     ordered
 }
 
-/// The vertices in order of first use. All triangles are renumbered to it; vertices that none uses are left out.
+/// The vertices in order of first use. All triangles are renumbered to it; vertices that none uses
+/// are left out.
 pub(super) fn vertices(triangles: &mut [[u32; 3]], vertices: usize) -> Vec<usize> {
     let mut order = Vec::with_capacity(vertices);
     let mut place = vec![u32::MAX; vertices];
@@ -37,7 +44,8 @@ pub(super) fn vertices(triangles: &mut [[u32; 3]], vertices: usize) -> Vec<usize
     order
 }
 
-/// Vertices transformed per triangle: from 0.5 (a large regular grid, at best) to 3 (nothing shared).
+/// Vertices transformed per triangle: from 0.5 (a large regular grid, at best) to 3 (nothing
+/// shared).
 pub(super) fn cache_miss_ratio(triangles: &[[u32; 3]], vertices: usize) -> f64 {
     let statistics = meshopt::analyze_vertex_cache(triangles.as_flattened(), vertices, CACHE, 0, 0);
     f64::from(statistics.acmr)
@@ -47,13 +55,15 @@ pub(super) fn cache_miss_ratio(triangles: &[[u32; 3]], vertices: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// A grid of 30 by 30 squares, its triangles scattered by a step that shares no factor with their number.
+    /// A grid of 30 by 30 squares, its triangles scattered by a step that shares no factor with
+    /// their number.
     fn scattered_grid() -> Vec<[u32; 3]> {
         let corner = |x: u32, y: u32| y * 31 + x;
         let grid: Vec<[u32; 3]> = (0..900)
             .flat_map(|i| {
                 let (x, y) = (i % 30, i / 30);
-                let [a, b, c, d] = [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
+                let [a, b, c, d] =
+                    [corner(x, y), corner(x + 1, y), corner(x + 1, y + 1), corner(x, y + 1)];
                 [[a, b, c], [a, c, d]]
             })
             .collect();
@@ -78,8 +88,8 @@ mod tests {
             assert_eq!(turned_to_least(&before[run.clone()]), turned_to_least(&after[run]));
         }
         let (worse, better) = (cache_miss_ratio(&before, 961), cache_miss_ratio(&after, 961));
-        // Strips of a grid come to about 0.7 with a cache of 16; two interleaved runs of random triangles to somewhat
-        // more, as their neighbours are in the other run.
+        // Strips of a grid come to about 0.7 with a cache of 16; two interleaved runs of random
+        // triangles to somewhat more, as their neighbours are in the other run.
         assert!(worse > 2.0 && better < 1.5, "{worse} to {better}");
         assert_eq!(after, triangles(&before, &[1000, 800], 961));
     }

@@ -34,11 +34,12 @@ pub(super) struct Corner {
 }
 
 /// Parses a checked file.
-pub(super) fn read(path: &Path, checked: &Checked, libraries: &Libraries) -> Result<Polygons, ModelError> {
-    let failed = |source| ModelError::Parse {
-        path: path.into(),
-        source,
-    };
+pub(super) fn read(
+    path: &Path,
+    checked: &Checked,
+    libraries: &Libraries,
+) -> Result<Polygons, ModelError> {
+    let failed = |source| ModelError::Parse { path: path.into(), source };
     // The default keeps polygons whole and the three indices of a corner apart.
     let options = tobj::LoadOptions::default();
     let (models, materials) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |_| {
@@ -73,9 +74,7 @@ pub(super) fn read(path: &Path, checked: &Checked, libraries: &Libraries) -> Res
         }
         if mesh.face_arities.is_empty() {
             // `tobj` leaves the arities out where all faces are triangles.
-            polygons
-                .faces
-                .extend(std::iter::repeat_n((3, material), mesh.indices.len() / 3));
+            polygons.faces.extend(std::iter::repeat_n((3, material), mesh.indices.len() / 3));
         } else {
             polygons
                 .faces
@@ -99,16 +98,15 @@ mod tests {
     fn polygons(text: &str) -> Polygons {
         let path = Path::new("m.obj");
         let checked = validate::check(path, &statements(text)).unwrap();
-        let libraries = Libraries {
-            text: "newmtl a\nKd 1 0 0\nnewmtl b\n".into(),
-            ..Libraries::default()
-        };
+        let libraries =
+            Libraries { text: "newmtl a\nKd 1 0 0\nnewmtl b\n".into(), ..Libraries::default() };
         read(path, &checked, &libraries).unwrap()
     }
 
     #[test]
     fn corners_keep_their_own_indices() {
-        // The second face leaves out what the first has, names a vertex further down, and repeats a position.
+        // The second face leaves out what the first has, names a vertex further down, and repeats a
+        // position.
         let polygons = polygons(
             "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 0.25\nvn 0 0 3\nf 1/1/1 2/1/1 3/1/1\nf 1 -2 4 5\nv 0.1 -0 0\nv 2 2 2",
         );
@@ -120,10 +118,7 @@ mod tests {
             (polygons.corners[2].normal, polygons.corners[2].texture),
             ([0.0, 0.0, 3.0], [0.5, 0.25])
         );
-        assert_eq!(
-            (polygons.corners[3].normal, polygons.corners[3].texture),
-            ([0.0; 3], [0.0; 2])
-        );
+        assert_eq!((polygons.corners[3].normal, polygons.corners[3].texture), ([0.0; 3], [0.0; 2]));
     }
 
     #[test]
@@ -131,7 +126,8 @@ mod tests {
         let polygons = polygons(
             "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl a\no x\nf 1 2 3\ng\nusemtl c\nf 1 2 3",
         );
-        let colors: Vec<[u8; 3]> = polygons.faces.iter().map(|&(_, m)| polygons.colors[m]).collect();
+        let colors: Vec<[u8; 3]> =
+            polygons.faces.iter().map(|&(_, m)| polygons.colors[m]).collect();
         assert_eq!(colors, [[200; 3], [200; 3], [255, 0, 0], [200; 3]]);
     }
 }

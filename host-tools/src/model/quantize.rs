@@ -16,24 +16,22 @@ pub(super) fn quantum(scale: Scale) -> f64 {
 
 /// Positions relative to `offset` as integers, the largest coordinate being 32,767.
 ///
-/// The scale is rounded to 32 bits first and the positions to multiples of what it then is, so that each coordinate is
-/// off by half a quantum at most and the scale's own rounding costs nothing.
+/// The scale is rounded to 32 bits first and the positions to multiples of what it then is, so that
+/// each coordinate is off by half a quantum at most and the scale's own rounding costs nothing.
 pub(super) fn positions(exact: &[Vector], offset: Vector) -> (Vec<[i16; 3]>, Scale) {
     let relative = exact.iter().map(|&p| sub(p, offset));
     let half_extent = relative.clone().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
     let scale = nearest_scale(half_extent / 32_767.0);
     let quantum = quantum(scale);
-    (
-        relative.map(|p| p.map(|x| (x / quantum).round() as i16)).collect(),
-        scale,
-    )
+    (relative.map(|p| p.map(|x| (x / quantum).round() as i16)).collect(), scale)
 }
 
 /// The scale nearest to a positive number.
 fn nearest_scale(value: f64) -> Scale {
     let exponent = value.log2().floor() as i32 - 31;
     let mantissa = (value / 2_f64.powi(exponent)).round();
-    // A logarithm rounded the wrong way, or a mantissa rounded up to the next power of two, needs a bit more.
+    // A logarithm rounded the wrong way, or a mantissa rounded up to the next power of two, needs a
+    // bit more.
     if mantissa < f64::from(u32::MAX) {
         Scale::new(mantissa as u32, exponent)
     } else {
@@ -48,8 +46,9 @@ pub(super) fn position(quantised: [i16; 3], scale: Scale, offset: Vector) -> Vec
 
 /// A unit normal in 127ths.
 ///
-/// Of the eight triples round it, that of the least angle whose length is off by no more than rounding each coordinate
-/// could make it, half the diagonal of a cube of side 1: a shader that takes the length for 1 loses nothing.
+/// Of the eight triples round it, that of the least angle whose length is off by no more than
+/// rounding each coordinate could make it, half the diagonal of a cube of side 1: a shader that
+/// takes the length for 1 loses nothing.
 pub(super) fn normal(exact: Vector) -> [i8; 3] {
     let target = exact.map(|x| x * 127.0);
     let candidates = (0..8).map(|corner| {
@@ -58,8 +57,9 @@ pub(super) fn normal(exact: Vector) -> [i8; 3] {
             if up { target[axis].ceil() } else { target[axis].floor() }
         })
     });
-    let near =
-        candidates.filter(|&c| (length(c) - 127.0).abs() <= 0.75_f64.sqrt() && c.iter().all(|x| x.abs() <= 127.0));
+    let near = candidates.filter(|&c| {
+        (length(c) - 127.0).abs() <= 0.75_f64.sqrt() && c.iter().all(|x| x.abs() <= 127.0)
+    });
     let best = near.min_by(|&a, &b| angle(a, exact).total_cmp(&angle(b, exact)));
     best.unwrap_or_else(|| target.map(f64::round)).map(|x| x as i8)
 }
@@ -81,17 +81,18 @@ pub(super) fn turn_textures(textures: &[[f64; 2]]) -> Vec<[f64; 2]> {
     turned.map(|t| [t[0] - whole[0], t[1] - whole[1]]).collect()
 }
 
-/// Turned texture coordinates in the finest fraction of a repeat whose largest multiple fits, and its bits.
-pub(super) fn textures(path: &Path, turned: &[[f64; 2]]) -> Result<(Vec<[u16; 2]>, u8), ModelError> {
+/// Turned texture coordinates in the finest fraction of a repeat whose largest multiple fits, and
+/// its bits.
+pub(super) fn textures(
+    path: &Path,
+    turned: &[[f64; 2]],
+) -> Result<(Vec<[u16; 2]>, u8), ModelError> {
     let range = turned.as_flattened().iter().fold(0.0, |m: f64, &t| m.max(t));
     let in_units = |t: f64, bits: u8| (t * f64::from(1_u32 << bits)).round();
     let bits = (0..=16)
         .rev()
         .find(|&bits| in_units(range, bits) <= f64::from(u16::MAX))
-        .ok_or_else(|| ModelError::TextureRange {
-            path: path.into(),
-            range,
-        })?;
+        .ok_or_else(|| ModelError::TextureRange { path: path.into(), range })?;
     let table = turned.iter().map(|t| t.map(|t| in_units(t, bits) as u16)).collect();
     Ok((table, bits))
 }
@@ -102,7 +103,9 @@ mod tests {
 
     /// Points from a Weyl sequence, spread evenly over (-1, 1)³.
     fn points() -> impl Iterator<Item = Vector> {
-        (1..5_000).map(|i| [0.754_877, 0.569_840, 0.430_159].map(|step| (f64::from(i) * step).fract() * 2.0 - 1.0))
+        (1..5_000).map(|i| {
+            [0.754_877, 0.569_840, 0.430_159].map(|step| (f64::from(i) * step).fract() * 2.0 - 1.0)
+        })
     }
 
     #[test]
@@ -142,14 +145,12 @@ mod tests {
             let chosen = normal(exact);
             let rounded = exact.map(|x| (x * 127.0).round() as i8);
             assert!(normal_error(chosen, exact) <= normal_error(rounded, exact), "{exact:?}");
-            assert!(
-                (length(chosen.map(f64::from)) - 127.0).abs() <= 0.75_f64.sqrt(),
-                "{exact:?}"
-            );
+            assert!((length(chosen.map(f64::from)) - 127.0).abs() <= 0.75_f64.sqrt(), "{exact:?}");
             worst = worst.max(normal_error(chosen, exact));
             worst_rounded = worst_rounded.max(normal_error(rounded, exact));
         }
-        // Rounding is off by up to half the diagonal of a unit cube at a distance of 127: 0.39 degrees.
+        // Rounding is off by up to half the diagonal of a unit cube at a distance of 127: 0.39
+        // degrees.
         assert!(worst < 0.9 * worst_rounded && worst_rounded < 0.39_f64.to_radians());
     }
 

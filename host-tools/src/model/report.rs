@@ -26,7 +26,8 @@ pub struct Report {
     pub normal_error_degrees: f64,
     /// The largest error of a texture coordinate, in repeats of the texture.
     pub texture_error: f64,
-    /// Vertices transformed per triangle with a first-in-first-out cache of 16, in the file's order.
+    /// Vertices transformed per triangle with a first-in-first-out cache of 16, in the file's
+    /// order.
     pub cache_misses_before: f64,
     /// The same in the tables' order.
     pub cache_misses: f64,
@@ -162,11 +163,7 @@ mod tests {
 
     #[test]
     fn figures_of_absent_tables_are_not_shown() {
-        let mut report = Report {
-            size: 2.0,
-            position_error_max: 1e-5,
-            ..Report::default()
-        };
+        let mut report = Report { size: 2.0, position_error_max: 1e-5, ..Report::default() };
         let text = report.to_string();
         assert!(text.contains("1.00e-5 units at most (0.00050 % of the size)"), "{text}");
         assert!(!text.contains("Normal") && !text.contains("Texture"), "{text}");

@@ -1,7 +1,8 @@
 //! From a file's bytes to its statements, each with the number of its line.
 //!
-//! Wavefront's format ("Object Files (.obj)", appendix B1 of the Advanced Visualizer manual) is one statement a line; `#`
-//! starts a comment and `\` at the end of a line continues the statement on the next.
+//! Wavefront's format ("Object Files (.obj)", appendix B1 of the Advanced Visualizer manual) is one
+//! statement a line; `#` starts a comment and `\` at the end of a line continues the statement on
+//! the next.
 
 use std::{borrow::Cow, fs, path::Path};
 
@@ -10,10 +11,7 @@ use super::error::{LineFault, ModelError};
 /// Reads a whole file. A device or a pipe, which may never end, is refused.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>, ModelError> {
     let path_buf = || path.to_path_buf();
-    let failed = |source| ModelError::Read {
-        path: path_buf(),
-        source,
-    };
+    let failed = |source| ModelError::Read { path: path_buf(), source };
     let kind = fs::metadata(path).map_err(failed)?;
     if kind.is_dir() {
         return Err(ModelError::Directory { path: path_buf() });
@@ -33,9 +31,7 @@ pub(super) fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, ModelErr
             Err(ModelError::Line {
                 path: path.to_path_buf(),
                 line: 1 + good.matches(['\n', '\r']).count(),
-                fault: LineFault::NotUtf8 {
-                    byte: bytes[error.valid_up_to()],
-                },
+                fault: LineFault::NotUtf8 { byte: bytes[error.valid_up_to()] },
             })
         }
     }
@@ -78,9 +74,8 @@ pub(super) fn statements<'a>(text: &'a str) -> Vec<Statement<'a>> {
     for (index, line) in lines(text).enumerate() {
         let (first, mut before) = continued.take().unwrap_or((index + 1, String::new()));
         let line = without_comment(first_word(&before).or_else(|| first_word(line)), line).trim();
-        let (part, goes_on) = line
-            .strip_suffix('\\')
-            .map_or((line, false), |part| (part.trim(), true));
+        let (part, goes_on) =
+            line.strip_suffix('\\').map_or((line, false), |part| (part.trim(), true));
         if goes_on || !before.is_empty() {
             if !before.is_empty() && !part.is_empty() {
                 before.push(' ');
@@ -105,7 +100,8 @@ fn first_word(text: &str) -> Option<&str> {
     text.split_whitespace().next()
 }
 
-/// Names may hold a `#` ("Material #25" is a common one), so only whole-line comments are cut from a statement with one.
+/// Names may hold a `#` ("Material #25" is a common one), so only whole-line comments are cut from
+/// a statement with one.
 fn without_comment<'a>(keyword: Option<&str>, line: &'a str) -> &'a str {
     match keyword {
         Some("mtllib" | "newmtl" | "usemtl") => line,
@@ -122,9 +118,7 @@ fn lines(text: &str) -> impl Iterator<Item = &str> {
         }
         let end = rest.find(['\n', '\r']).unwrap_or(rest.len());
         let (line, tail) = rest.split_at(end);
-        rest = tail
-            .strip_prefix("\r\n")
-            .unwrap_or_else(|| tail.get(1..).unwrap_or_default());
+        rest = tail.strip_prefix("\r\n").unwrap_or_else(|| tail.get(1..).unwrap_or_default());
         Some(line)
     })
 }
@@ -140,12 +134,7 @@ mod tests {
     #[test]
     fn every_line_ending_counts_lines_alike() {
         let expected = [(1, "v 1".into()), (3, "v 2".into())];
-        for text in [
-            "v 1\n\nv 2",
-            "v 1\r\n\r\nv 2\r\n",
-            "v 1\r\rv 2\r",
-            "\tv 1 \n \n\tv 2\t\n",
-        ] {
+        for text in ["v 1\n\nv 2", "v 1\r\n\r\nv 2\r\n", "v 1\r\rv 2\r", "\tv 1 \n \n\tv 2\t\n"] {
             assert_eq!(split(text), expected, "{text:?}");
         }
     }
@@ -174,10 +163,7 @@ mod tests {
     #[test]
     fn bad_byte_is_located() {
         let error = text(Path::new("a.obj"), b"v 0 0 0\r\n# caf\xE9\n").unwrap_err();
-        assert!(
-            error.to_string().starts_with("a.obj:2: byte 0xE9 is not UTF-8"),
-            "{error}"
-        );
+        assert!(error.to_string().starts_with("a.obj:2: byte 0xE9 is not UTF-8"), "{error}");
         assert_eq!(text(Path::new("a.obj"), b"\xEF\xBB\xBFv").unwrap(), "v");
     }
 }

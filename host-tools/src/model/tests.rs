@@ -32,26 +32,17 @@ fn load(text: &str, options: &Options) -> Result<Model, ModelError> {
 }
 
 fn cube(options: &Options) -> Model {
-    load_files(
-        &[("cube.obj", CUBE.as_bytes()), ("cube.mtl", CUBE_MTL.as_bytes())],
-        options,
-    )
-    .unwrap()
+    load_files(&[("cube.obj", CUBE.as_bytes()), ("cube.mtl", CUBE_MTL.as_bytes())], options)
+        .unwrap()
 }
 
 fn crease(crease_degrees: f64) -> Options {
-    Options {
-        crease_degrees,
-        ..Options::default()
-    }
+    Options { crease_degrees, ..Options::default() }
 }
 
 fn textured() -> Options {
     Options {
-        contents: Contents {
-            texture_coordinates: true,
-            ..Contents::default()
-        },
+        contents: Contents { texture_coordinates: true, ..Contents::default() },
         ..Options::default()
     }
 }
@@ -63,11 +54,8 @@ fn indices(model: &Model) -> Vec<[usize; 3]> {
 
 #[test]
 fn faults_of_files_say_what_to_do() {
-    let message = |text: &[u8]| {
-        load_files(&[("m.obj", text)], &Options::default())
-            .unwrap_err()
-            .to_string()
-    };
+    let message =
+        |text: &[u8]| load_files(&[("m.obj", text)], &Options::default()).unwrap_err().to_string();
     for (text, expected) in [
         (&b""[..], "m.obj is empty: export"),
         (b"\n\n", "m.obj has no vertices"),
@@ -75,10 +63,7 @@ fn faults_of_files_say_what_to_do() {
         (b"v 0 0 0\n\xFF", "m.obj:2: byte 0xFF is not UTF-8"),
         (b"v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3", "m.obj:3: `v` needs 3 numbers"),
         (b"v 3 3 3\nv 3 3 3\nv 3 3 3\nf 1 2 3", "m.obj has no size"),
-        (
-            b"v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3",
-            "m.obj: all 1 faces have zero area",
-        ),
+        (b"v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3", "m.obj: all 1 faces have zero area"),
     ] {
         assert!(message(text).contains(expected), "{}", message(text));
     }
@@ -86,10 +71,7 @@ fn faults_of_files_say_what_to_do() {
     let at = |path: &Path| Model::load(path, &Options::default()).unwrap_err().to_string();
     assert!(at(directory.path()).contains("is a directory: name the file in it"));
     let missing = at(&directory.path().join("no.obj"));
-    assert!(
-        missing.contains("no.obj: ") && missing.contains("check the path"),
-        "{missing}"
-    );
+    assert!(missing.contains("no.obj: ") && missing.contains("check the path"), "{missing}");
     #[cfg(unix)]
     assert!(at(Path::new("/dev/zero")).contains("is not an ordinary file"));
 }
@@ -158,10 +140,7 @@ fn no_bytes_make_it_panic_or_hang() {
             }
         }
     }
-    assert!(
-        good > 100 && bad > 100,
-        "{good} good and {bad} bad files test only one way out"
-    );
+    assert!(good > 100 && bad > 100, "{good} good and {bad} bad files test only one way out");
 }
 
 #[test]
@@ -179,17 +158,14 @@ fn a_cube_has_hard_edges_at_60_degrees_and_none_at_180() {
     let hard = cube(&Options::default());
     assert_eq!((hard.positions.len(), indices(&hard).len()), (24, 12));
     for (&normal, &face) in hard.vertex_normals.iter().zip(&hard.exact.vertex_normals) {
-        assert_eq!(
-            normal.map(i32::from).map(i32::abs).iter().sum::<i32>(),
-            127,
-            "{normal:?}"
-        );
+        assert_eq!(normal.map(i32::from).map(i32::abs).iter().sum::<i32>(), 127, "{normal:?}");
         assert_eq!(normal.map(f64::from), face.map(|x| x * 127.0));
     }
     let smooth = cube(&crease(180.0));
     assert_eq!(smooth.positions.len(), 8);
     for (&normal, &position) in smooth.exact.vertex_normals.iter().zip(&smooth.exact.positions) {
-        // Each corner's three faces weigh the same however they were cut: the normal is the diagonal.
+        // Each corner's three faces weigh the same however they were cut: the normal is the
+        // diagonal.
         assert!(angle(normal, position) < 1e-12, "{normal:?} at {position:?}");
     }
     for model in [&hard, &smooth] {
@@ -255,11 +231,7 @@ fn seams_split_vertices_only_where_textures_are_kept() {
     assert_eq!(model.report.texture_error, 0.0);
 
     let partly = load(&SEAM.replace("4/4", "4"), &textured()).unwrap();
-    assert!(
-        partly.warnings[0].contains("1 of 6 face corners"),
-        "{:?}",
-        partly.warnings
-    );
+    assert!(partly.warnings[0].contains("1 of 6 face corners"), "{:?}", partly.warnings);
 }
 
 #[test]
@@ -268,10 +240,7 @@ fn fits_describe_the_same_shape() {
     let unit = load(text, &Options::default()).unwrap();
     assert_eq!(unit.offset, Vec3::ZERO);
     assert!((unit.report.size - 2.0).abs() < 1e-15);
-    let options = Options {
-        fit: Fit::Keep,
-        ..Options::default()
-    };
+    let options = Options { fit: Fit::Keep, ..Options::default() };
     let kept = load(text, &options).unwrap();
     assert_eq!(kept.offset, Vec3::lit("12", "1.5", "0"));
     assert_eq!(kept.exact.positions[0], [10.0, 0.0, 0.0]);
@@ -290,10 +259,7 @@ fn too_many_vertices_are_counted() {
     });
     let text: String = vertices.chain(faces).collect();
     let error = load(&text, &Options::default()).unwrap_err().to_string();
-    assert!(
-        error.contains("needs 66564 vertices") && error.contains("split it"),
-        "{error}"
-    );
+    assert!(error.contains("needs 66564 vertices") && error.contains("split it"), "{error}");
 }
 
 #[test]
@@ -318,18 +284,12 @@ fn absent_tables_are_empty() {
 fn indices_take_the_smallest_type_that_holds_them() {
     assert_eq!(Indices::new(&[[0, 1, 255]], 256), Indices::U8(vec![[0, 1, 255]]));
     assert_eq!(Indices::new(&[[0, 1, 256]], 257), Indices::U16(vec![[0, 1, 256]]));
-    assert_eq!(
-        Indices::new(&[[0, 1, 65_535]], 65_536),
-        Indices::U16(vec![[0, 1, 65_535]])
-    );
+    assert_eq!(Indices::new(&[[0, 1, 65_535]], 65_536), Indices::U16(vec![[0, 1, 65_535]]));
 }
 
 #[test]
 fn emitted_source_of_a_small_model() {
-    let options = Options {
-        name: Some("tiny-part".into()),
-        ..Options::default()
-    };
+    let options = Options { name: Some("tiny-part".into()), ..Options::default() };
     let model = load("v 0 0 0\nv 4 0 0\nv 0 3 0\nf 1 2 3\n", &options).unwrap();
     assert_eq!(
         emit::source(&model),
@@ -411,11 +371,12 @@ fn emitted_numbers_read_back_the_same() {
     let path = shipped::path("torus_knot.obj");
     let model = Model::load(&path, &textured()).unwrap();
     let source = emit::source(&model);
-    let flat = |numbers: &[[i8; 3]]| -> Vec<i64> { numbers.as_flattened().iter().map(|&n| n.into()).collect() };
+    let flat = |numbers: &[[i8; 3]]| -> Vec<i64> {
+        numbers.as_flattened().iter().map(|&n| n.into()).collect()
+    };
     let positions: Vec<i64> = model.positions.as_flattened().iter().map(|&n| n.into()).collect();
-    let textures: Vec<i64> = (model.texture_coordinates.as_flattened().iter())
-        .map(|&n| n.into())
-        .collect();
+    let textures: Vec<i64> =
+        (model.texture_coordinates.as_flattened().iter()).map(|&n| n.into()).collect();
     let triangles: Vec<i64> = indices(&model).as_flattened().iter().map(|&n| n as i64).collect();
     assert_eq!(parsed(&source, "POSITIONS"), positions);
     assert_eq!(parsed(&source, "VERTEX_NORMALS"), flat(&model.vertex_normals));
@@ -423,10 +384,7 @@ fn emitted_numbers_read_back_the_same() {
     assert_eq!(parsed(&source, "TEXTURE_COORDINATES"), textures);
     assert_eq!(parsed(&source, "TRIANGLES"), triangles);
     let color = model.materials[0].color.map(i64::from);
-    assert_eq!(
-        parsed(&source, "MATERIALS"),
-        [&color[..], &[triangles.len() as i64 / 3]].concat()
-    );
+    assert_eq!(parsed(&source, "MATERIALS"), [&color[..], &[triangles.len() as i64 / 3]].concat());
     assert_eq!(emit::source(&Model::load(&path, &textured()).unwrap()), source);
 }
 
@@ -447,11 +405,7 @@ fn models_from_elsewhere_load() {
         let cuts: usize = (text.lines().filter(|line| line.starts_with("f ")))
             .map(|line| line.split_whitespace().count() - 3)
             .sum();
-        let options = if count("vt ") > 0 {
-            textured()
-        } else {
-            Options::default()
-        };
+        let options = if count("vt ") > 0 { textured() } else { Options::default() };
         let model = Model::load(&path, &options).unwrap_or_else(|error| panic!("{error}"));
         let report = &model.report;
         println!("{}\n{report}{:?}\n", path.display(), model.warnings);
@@ -459,7 +413,8 @@ fn models_from_elsewhere_load() {
         assert_eq!(report.file_faces, count("f "), "{}", path.display());
         assert_eq!(report.triangles + report.dropped_triangles, cuts, "{}", path.display());
         assert!(report.cache_misses <= report.cache_misses_before, "{}", path.display());
-        // Half a quantum on each axis, and no model's diagonal is shorter than its largest half-extent.
+        // Half a quantum on each axis, and no model's diagonal is shorter than its largest
+        // half-extent.
         let limit = 0.5 * 3_f64.sqrt() / 32_767.0;
         assert!(report.position_error_max <= limit * report.size, "{}", path.display());
         assert_eq!(model.mesh().vertex_count(), model.exact.vertex_normals.len());

@@ -16,8 +16,8 @@ pub(super) struct Triangle {
     pub material: usize,
 }
 
-/// Cuts all polygons into triangles by ear clipping, which keeps concave ones whole, and leaves out triangles without
-/// area. Also returns how many were left out.
+/// Cuts all polygons into triangles by ear clipping, which keeps concave ones whole, and leaves out
+/// triangles without area. Also returns how many were left out.
 ///
 /// `positions` are those of the polygons, scaled so that no coordinate exceeds 2.
 pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Triangle>, usize) {
@@ -52,8 +52,8 @@ pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Tri
     (triangles, dropped)
 }
 
-/// The polygon seen along the axis nearest to its normal, counter-clockwise. Leaving out a coordinate, rather than
-/// turning the plane, keeps the other two exact.
+/// The polygon seen along the axis nearest to its normal, counter-clockwise. Leaving out a
+/// coordinate, rather than turning the plane, keeps the other two exact.
 fn flattened(ring: &[Vector]) -> Vec<[f64; 2]> {
     let n = newell_normal(ring).map(f64::abs);
     let axis = if n[0] > n[1] && n[0] > n[2] {
@@ -71,15 +71,15 @@ fn flattened(ring: &[Vector]) -> Vec<[f64; 2]> {
     ring.iter().map(|p| [p[u], p[v]]).collect()
 }
 
-/// The polygon's area times twice its normal, which needs no convex corner to start from (Newell's method; Sutherland
-/// et al., "A characterization of ten hidden-surface algorithms", 1974).
+/// The polygon's area times twice its normal, which needs no convex corner to start from (Newell's
+/// method; Sutherland et al., "A characterization of ten hidden-surface algorithms", 1974).
 fn newell_normal(ring: &[Vector]) -> Vector {
     let relative = |i: usize| sub(ring[i % ring.len()], ring[0]);
     (1..ring.len()).fold([0.0; 3], |sum, i| add(sum, cross(relative(i), relative(i + 1))))
 }
 
-/// The ear clipper turns all its triangles one way, which one depending on its version: the sign of their total area
-/// tells.
+/// The ear clipper turns all its triangles one way, which one depending on its version: the sign of
+/// their total area tells.
 fn turn_counter_clockwise(points: &[[f64; 2]], ears: &mut [u32]) {
     let area: f64 = ears
         .chunks_exact(3)
@@ -95,9 +95,10 @@ fn turn_counter_clockwise(points: &[[f64; 2]], ears: &mut [u32]) {
 
 /// Whether a triangle has an area beyond the rounding of its coordinates, all at most 2.
 ///
-/// A coordinate c carries an error of up to c * epsilon / 2, thus an edge one of 2 epsilon a coordinate, thus the cross
-/// product of two edges one of about 8 epsilon times the longest edge. Three points on a slanted line, written in
-/// decimals, have no more area than that; their normal would be noise.
+/// A coordinate c carries an error of up to c * epsilon / 2, thus an edge one of 2 epsilon a
+/// coordinate, thus the cross product of two edges one of about 8 epsilon times the longest edge.
+/// Three points on a slanted line, written in decimals, have no more area than that; their normal
+/// would be noise.
 fn has_area([a, b, c]: [Vector; 3]) -> bool {
     let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)];
     let longest = length(ab).max(length(bc)).max(length(ca));
@@ -112,11 +113,7 @@ mod tests {
         Polygons {
             positions: ring.to_vec(),
             corners: (0..ring.len() as u32)
-                .map(|position| Corner {
-                    position,
-                    normal: [0.0; 3],
-                    texture: [0.0; 2],
-                })
+                .map(|position| Corner { position, normal: [0.0; 3], texture: [0.0; 2] })
                 .collect(),
             faces: vec![(ring.len(), 0)],
             colors: vec![[0; 3]],
@@ -126,15 +123,15 @@ mod tests {
     fn cut(ring: &[Vector]) -> (Vec<[Vector; 3]>, usize) {
         let polygons = polygon(ring);
         let (triangles, dropped) = triangulate(&polygons, &polygons.positions);
-        let points = triangles
-            .iter()
-            .map(|t| t.corners.map(|c| ring[c.position as usize]))
-            .collect();
+        let points =
+            triangles.iter().map(|t| t.corners.map(|c| ring[c.position as usize])).collect();
         (points, dropped)
     }
 
-    /// An L, concave at its first corner: a fan from there or from anywhere but the elbow folds over.
-    const L: [[f64; 2]; 6] = [[1.0, 1.0], [1.0, 2.0], [0.0, 2.0], [0.0, 0.0], [2.0, 0.0], [2.0, 1.0]];
+    /// An L, concave at its first corner: a fan from there or from anywhere but the elbow folds
+    /// over.
+    const L: [[f64; 2]; 6] =
+        [[1.0, 1.0], [1.0, 2.0], [0.0, 2.0], [0.0, 0.0], [2.0, 0.0], [2.0, 1.0]];
 
     #[test]
     fn concave_polygons_keep_area_and_winding_on_any_plane() {
@@ -171,22 +168,14 @@ mod tests {
 
     #[test]
     fn no_corner_is_lost_on_a_straight_edge() {
-        let ring = [
-            [0.0, 0.0, 0.0],
-            [1.0, 0.0, 0.0],
-            [2.0, 0.0, 0.0],
-            [2.0, 1.0, 0.0],
-            [0.0, 1.0, 0.0],
-        ];
+        let ring =
+            [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
         for shift in 0..ring.len() {
             let mut ring = ring;
             ring.rotate_left(shift);
             let (triangles, dropped) = cut(&ring);
             assert_eq!((triangles.len(), dropped), (3, 0), "start {shift}");
-            assert!(
-                ring.iter().all(|p| triangles.iter().any(|t| t.contains(p))),
-                "start {shift}"
-            );
+            assert!(ring.iter().all(|p| triangles.iter().any(|t| t.contains(p))), "start {shift}");
         }
     }
 
@@ -194,13 +183,11 @@ mod tests {
     fn triangles_without_area_are_dropped_and_counted() {
         assert_eq!(cut(&[[0.1; 3], [0.2; 3], [0.3; 3]]), (vec![], 1));
         // on one line in decimals, not in binary
-        assert_eq!(
-            cut(&[[0.05, 0.15, 0.35], [0.1, 0.3, 0.7], [0.15, 0.45, 1.05]]),
-            (vec![], 1)
-        );
+        assert_eq!(cut(&[[0.05, 0.15, 0.35], [0.1, 0.3, 0.7], [0.15, 0.45, 1.05]]), (vec![], 1));
         assert_eq!(cut(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0; 3]]), (vec![], 1));
         assert_eq!(cut(&[[0.1; 3], [0.2; 3], [0.3; 3], [0.7; 3]]), (vec![], 2));
-        let (triangles, dropped) = cut(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+        let (triangles, dropped) =
+            cut(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
         assert_eq!((triangles.len(), dropped), (1, 1));
         // a figure of eight on edge: its area cancels out, its halves stay
         let eight = [[0.0; 3], [1.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];

@@ -1,10 +1,13 @@
-//! The line-by-line checks of an OBJ file, and its statements put in a form that the parser reads right.
+//! The line-by-line checks of an OBJ file, and its statements put in a form that the parser reads
+//! right.
 //!
-//! The parser, `tobj` 4.0, names no line in its errors. It also gives a wrong result, without an error, where faces leave
-//! out texture coordinates or normals that other faces have (it takes those of the corner before), and makes faces of
-//! polylines (`l`); it refuses comments behind numbers, continued lines, tabs in `usemtl`, one-dimensional texture
-//! coordinates, vertex colours on some vertices only, and faces that name a vertex further down. So it is given the same
-//! numbers, as written, in plain order: positions, texture coordinates, normals, then faces with absolute indices.
+//! The parser, `tobj` 4.0, names no line in its errors. It also gives a wrong result, without an
+//! error, where faces leave out texture coordinates or normals that other faces have (it takes
+//! those of the corner before), and makes faces of polylines (`l`); it refuses comments behind
+//! numbers, continued lines, tabs in `usemtl`, one-dimensional texture coordinates, vertex colours
+//! on some vertices only, and faces that name a vertex further down. So it is given the same
+//! numbers, as written, in plain order: positions, texture coordinates, normals, then faces with
+//! absolute indices.
 
 use std::{collections::HashSet, fmt::Write as _, path::Path};
 
@@ -16,8 +19,8 @@ use super::{
 /// A file that has passed the checks.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Checked {
-    /// Its statements for `tobj`. The last normal is (0, 0, 0) and stands for "none"; the last texture coordinates
-    /// are (0, 0), for the corners without.
+    /// Its statements for `tobj`. The last normal is (0, 0, 0) and stands for "none"; the last
+    /// texture coordinates are (0, 0), for the corners without.
     pub text: String,
     /// `mtllib` statements: line and argument.
     pub libraries: Vec<(usize, String)>,
@@ -48,20 +51,13 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
     if total.0[0] == 0 {
         return Err(ModelError::NoVertices { path: path.into() });
     }
-    let mut checked = Checked {
-        vertices: total.0[0],
-        ..Checked::default()
-    };
+    let mut checked = Checked { vertices: total.0[0], ..Checked::default() };
     let mut seen = Counts::default();
     let mut tables = [const { String::new() }; 3];
     let mut faces = String::new();
     let mut named = HashSet::new();
     for statement in statements {
-        let at_line = |fault| ModelError::Line {
-            path: path.into(),
-            line: statement.line,
-            fault,
-        };
+        let at_line = |fault| ModelError::Line { path: path.into(), line: statement.line, fault };
         let mut coordinates = |table: usize, keyword, least, dimensions| {
             let words = numbers(statement, keyword, least, dimensions)?;
             // Writing to a string cannot fail.
@@ -70,7 +66,8 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
             Ok(())
         };
         match statement.keyword() {
-            // A fourth number is a weight that only curves use; after it, or instead, come vertex colours.
+            // A fourth number is a weight that only curves use; after it, or instead, come vertex
+            // colours.
             "v" => coordinates(0, "v", 3, 3).map_err(at_line)?,
             "vt" => coordinates(1, "vt", 1, 2).map_err(at_line)?,
             "vn" => coordinates(2, "vn", 3, 3).map_err(at_line)?,
@@ -109,8 +106,8 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
     Ok(checked)
 }
 
-/// The first `dimensions` numbers of a statement as written, each checked; those beyond the `least` may be absent and
-/// are then 0.
+/// The first `dimensions` numbers of a statement as written, each checked; those beyond the `least`
+/// may be absent and are then 0.
 fn numbers<'a>(
     statement: &'a Statement<'_>,
     keyword: &'static str,
@@ -119,11 +116,7 @@ fn numbers<'a>(
 ) -> Result<Vec<&'a str>, LineFault> {
     let mut words: Vec<&str> = statement.arguments().take(dimensions).collect();
     if words.len() < least {
-        return Err(LineFault::TooFewNumbers {
-            keyword,
-            needed: least,
-            found: words.len(),
-        });
+        return Err(LineFault::TooFewNumbers { keyword, needed: least, found: words.len() });
     }
     for word in &words {
         let value: f64 = word.parse().map_err(|_| LineFault::NotANumber { word: quote(word) })?;
@@ -136,7 +129,11 @@ fn numbers<'a>(
 }
 
 /// The corners of a face as absolute indices from 1; one past the end for what a corner leaves out.
-fn face(statement: &Statement<'_>, seen: Counts, total: Counts) -> Result<Vec<[usize; 3]>, LineFault> {
+fn face(
+    statement: &Statement<'_>,
+    seen: Counts,
+    total: Counts,
+) -> Result<Vec<[usize; 3]>, LineFault> {
     let corners = statement
         .arguments()
         .map(|corner| {
@@ -158,10 +155,14 @@ fn face(statement: &Statement<'_>, seen: Counts, total: Counts) -> Result<Vec<[u
 }
 
 /// An absolute index from 1. A negative one counts back from the last of those `seen` so far.
-fn index(corner: &str, part: &str, kind: usize, seen: usize, total: usize) -> Result<usize, LineFault> {
-    let written: i64 = part
-        .parse()
-        .map_err(|_| LineFault::BadCorner { corner: quote(corner) })?;
+fn index(
+    corner: &str,
+    part: &str,
+    kind: usize,
+    seen: usize,
+    total: usize,
+) -> Result<usize, LineFault> {
+    let written: i64 = part.parse().map_err(|_| LineFault::BadCorner { corner: quote(corner) })?;
     let (absolute, count) = match written {
         0 => return Err(LineFault::IndexZero { corner: quote(corner) }),
         1.. => (usize::try_from(written).ok().filter(|&i| i <= total), total),
@@ -218,15 +219,9 @@ mod tests {
             ("f 1 2 x", ":4: `x` is not a face corner: write whole numbers"),
             ("f 1 2 /1", ":4: `/1` is not a face corner"),
             ("f 1 2 3/1/1/1", ":4: `3/1/1/1` is not a face corner"),
-            (
-                "f 1 2 99999999999999999999",
-                ":4: `99999999999999999999` is not a face corner",
-            ),
+            ("f 1 2 99999999999999999999", ":4: `99999999999999999999` is not a face corner"),
             ("f 1 \\\n2\nf 9 9 9", ":4: a face needs 3 corners"),
-            (
-                "f -1 -2 -9223372036854775808",
-                ":4: `-9223372036854775808` names vertex",
-            ),
+            ("f -1 -2 -9223372036854775808", ":4: `-9223372036854775808` names vertex"),
         ];
         for (face, expected) in cases {
             let text = format!("{TRIANGLE}{face}");

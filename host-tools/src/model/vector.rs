@@ -19,11 +19,7 @@ pub(super) fn dot(a: Vector, b: Vector) -> f64 {
 }
 
 pub(super) fn cross(a: Vector, b: Vector) -> Vector {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The largest of the coordinates' magnitudes.
@@ -52,7 +48,8 @@ pub(super) fn normalized(a: Vector) -> Option<Vector> {
     Some(b.map(|x| x / l))
 }
 
-/// The angle between two vectors in radians; the arc tangent keeps small angles exact where an arc cosine would not.
+/// The angle between two vectors in radians; the arc tangent keeps small angles exact where an arc
+/// cosine would not.
 pub(super) fn angle(a: Vector, b: Vector) -> f64 {
     length(cross(a, b)).atan2(dot(a, b))
 }

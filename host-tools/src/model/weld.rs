@@ -29,19 +29,13 @@ pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Co
         let vertices = [0, 1, 2].map(|i| {
             let corner = &triangle.corners[i];
             let normal = if contents.vertex_normals { normals[i] } else { [0.0; 3] };
-            let texture = if contents.texture_coordinates {
-                corner.texture
-            } else {
-                [0.0; 2]
-            };
-            *known
-                .entry((corner.position, key(normal), key(texture)))
-                .or_insert_with(|| {
-                    welded.positions.push(corner.position);
-                    welded.normals.push(normal);
-                    welded.textures.push(texture);
-                    welded.positions.len() as u32 - 1
-                })
+            let texture = if contents.texture_coordinates { corner.texture } else { [0.0; 2] };
+            *known.entry((corner.position, key(normal), key(texture))).or_insert_with(|| {
+                welded.positions.push(corner.position);
+                welded.normals.push(normal);
+                welded.textures.push(texture);
+                welded.positions.len() as u32 - 1
+            })
         });
         welded.triangles.push(vertices);
     }
@@ -54,11 +48,7 @@ mod tests {
 
     #[test]
     fn corners_split_only_where_a_kept_value_differs() {
-        let corner = |position, u| Corner {
-            position,
-            normal: [0.0; 3],
-            texture: [u, 0.0],
-        };
+        let corner = |position, u| Corner { position, normal: [0.0; 3], texture: [u, 0.0] };
         let triangle = |corners| Triangle { corners, material: 0 };
         let triangles = [
             triangle([corner(7, 0.0), corner(8, 0.0), corner(9, 0.0)]),
@@ -68,11 +58,7 @@ mod tests {
         let mut normals = [[up; 3], [up; 3]];
         normals[1][1] = [1.0, 0.0, 0.0];
         let count = |vertex_normals, texture_coordinates| {
-            let contents = Contents {
-                vertex_normals,
-                face_normals: false,
-                texture_coordinates,
-            };
+            let contents = Contents { vertex_normals, face_normals: false, texture_coordinates };
             weld(&triangles, &normals, contents).triangles
         };
         assert_eq!(count(false, false), [[0, 1, 2], [0, 2, 1]]);

@@ -12,8 +12,8 @@ use super::{Model, Options, emit, error::ModelError};
 ///
 /// # Errors
 ///
-/// If the path is a directory, its directory is missing or cannot be written to, or the disk is full. A file that was
-/// there before is then still the same.
+/// If the path is a directory, its directory is missing or cannot be written to, or the disk is
+/// full. A file that was there before is then still the same.
 pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), ModelError> {
     if path.is_dir() {
         return Err(ModelError::Directory { path: path.into() });
@@ -30,17 +30,14 @@ pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), M
         file.persist(path)?;
         Ok(())
     };
-    write().map_err(|source| ModelError::Write {
-        path: path.into(),
-        source,
-    })
+    write().map_err(|source| ModelError::Write { path: path.into(), source })
 }
 
 /// Converts a model from a build script: writes `<stem>.rs` into `OUT_DIR`, to be taken in by
 /// `include!(concat!(env!("OUT_DIR"), "/<stem>.rs"))`, and returns its path.
 ///
-/// Prints what Cargo has to know to the standard output: the files on which the result depends, and the warnings. A
-/// build script that returns an error is run again by Cargo in any case.
+/// Prints what Cargo has to know to the standard output: the files on which the result depends, and
+/// the warnings. A build script that returns an error is run again by Cargo in any case.
 ///
 /// ```no_run
 /// use host_tools::model::{Options, convert_for_build};
@@ -64,7 +61,11 @@ pub fn convert_for_build(obj: impl AsRef<Path>, options: &Options) -> Result<Pat
 }
 
 /// The result's path and the lines for Cargo.
-fn convert_into(directory: &Path, obj: &Path, options: &Options) -> Result<(PathBuf, Vec<String>), ModelError> {
+fn convert_into(
+    directory: &Path,
+    obj: &Path,
+    options: &Options,
+) -> Result<(PathBuf, Vec<String>), ModelError> {
     let model = Model::load(obj, options)?;
     let mut path = directory.join(obj.file_stem().unwrap_or_default());
     path.as_mut_os_string().push(".rs");
@@ -73,7 +74,8 @@ fn convert_into(directory: &Path, obj: &Path, options: &Options) -> Result<(Path
     if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
         write_atomically(&path, &text)?;
     }
-    let inputs = (model.inputs.iter()).map(|input| format!("cargo::rerun-if-changed={}", input.display()));
+    let inputs =
+        (model.inputs.iter()).map(|input| format!("cargo::rerun-if-changed={}", input.display()));
     let warnings = model.warnings.iter().map(|warning| format!("cargo::warning={warning}"));
     Ok((path, inputs.chain(warnings).collect()))
 }
@@ -108,11 +110,14 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         let error = write_atomically(directory.path(), "x").unwrap_err().to_string();
         assert!(error.contains("is a directory"), "{error}");
-        let error = write_atomically(&directory.path().join("no/a.rs"), "x")
-            .unwrap_err()
-            .to_string();
-        assert!(error.contains("a.rs could not be written") && error.contains("check that its directory exists"));
-        // A name that the system refuses fails at the last step, when the temporary file has been written.
+        let error =
+            write_atomically(&directory.path().join("no/a.rs"), "x").unwrap_err().to_string();
+        assert!(
+            error.contains("a.rs could not be written")
+                && error.contains("check that its directory exists")
+        );
+        // A name that the system refuses fails at the last step, when the temporary file has been
+        // written.
         let long = directory.path().join("x".repeat(300));
         assert!(write_atomically(&long, "x").is_err());
         assert_eq!(entries(directory.path()), 0);

@@ -2,10 +2,11 @@
 
 use std::ops::Range;
 
-/// The rectangle of the screen that the camera's picture fills, in pixels from the top left corner, y down.
+/// The rectangle of the screen that the camera's picture fills, in pixels from the top left corner,
+/// y down.
 ///
-/// The view axis meets the screen in its middle. Nothing is drawn to a pixel whose centre lies outside
-/// `x..x + width` or `y..y + height`.
+/// The view axis meets the screen in its middle. Nothing is drawn to a pixel whose centre lies
+/// outside `x..x + width` or `y..y + height`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Viewport {
     /// Left side, in pixels.
@@ -25,12 +26,12 @@ impl Viewport {
         [self.x + self.width / 2.0, self.y + self.height / 2.0]
     }
 
-    /// The columns and the rows of a picture of `size` (width, height) pixels whose centres lie in the rectangle, its
-    /// left and top side included.
+    /// The columns and the rows of a picture of `size` (width, height) pixels whose centres lie in
+    /// the rectangle, its left and top side included.
     #[must_use]
     pub fn pixels(&self, (width, height): (usize, usize)) -> [Range<usize>; 2] {
-        // The first centre n + 0.5 at or after a side is that of n = ceil(side - 0.5); `as` turns a negative one into
-        // 0.
+        // The first centre n + 0.5 at or after a side is that of n = ceil(side - 0.5); `as` turns a
+        // negative one into 0.
         let first = |side: f64| (side - 0.5).ceil() as usize;
         let columns = first(self.x)..first(self.x + self.width).min(width);
         let rows = first(self.y)..first(self.y + self.height).min(height);
@@ -45,8 +46,8 @@ impl Viewport {
 pub enum Projection {
     /// All rays meet in the eye.
     Perspective {
-        /// Distance from the eye to the screen, measured in pixels: a point one unit off the axis, one unit away, lands
-        /// this many pixels off the middle.
+        /// Distance from the eye to the screen, measured in pixels: a point one unit off the axis,
+        /// one unit away, lands this many pixels off the middle.
         focal_length_px: f64,
         /// Distance of the near plane, above 0.
         near: f64,
@@ -65,8 +66,8 @@ pub enum Projection {
 }
 
 impl Projection {
-    /// The focal length in pixels of a viewport `height` pixels high that shows the vertical angle `fov_y`, in radians
-    /// within 0..π: `height / 2` over `tan(fov_y / 2)`.
+    /// The focal length in pixels of a viewport `height` pixels high that shows the vertical angle
+    /// `fov_y`, in radians within 0..π: `height / 2` over `tan(fov_y / 2)`.
     #[must_use]
     pub fn focal_length_px(fov_y: f64, height: f64) -> f64 {
         height / 2.0 / (fov_y / 2.0).tan()
@@ -76,7 +77,9 @@ impl Projection {
     #[must_use]
     pub const fn depth_range(&self) -> [f64; 2] {
         match *self {
-            Self::Perspective { near, far, .. } | Self::Orthographic { near, far, .. } => [near, far],
+            Self::Perspective { near, far, .. } | Self::Orthographic { near, far, .. } => {
+                [near, far]
+            }
         }
     }
 }
@@ -88,18 +91,19 @@ pub struct ScreenPoint {
     pub x: f64,
     /// Pixels from the top.
     pub y: f64,
-    /// 1 at the near plane and falling with the distance z: `near / z` in perspective, so `near / far` at the far
-    /// plane; `(far - z) / (far - near)`, so 0 at the far plane, in an orthographic projection. Both are linear in
-    /// screen space.
+    /// 1 at the near plane and falling with the distance z: `near / z` in perspective, so `near /
+    /// far` at the far plane; `(far - z) / (far - near)`, so 0 at the far plane, in an
+    /// orthographic projection. Both are linear in screen space.
     pub depth: f64,
-    /// The reciprocal of the homogeneous w, which is the distance z in perspective and 1 in an orthographic projection.
+    /// The reciprocal of the homogeneous w, which is the distance z in perspective and 1 in an
+    /// orthographic projection.
     pub inverse_w: f64,
 }
 
 /// A camera at `eye` that looks at `target`, with `up` to the top of the picture.
 ///
-/// `eye` and `target` must differ and `up` must not be parallel to the line between them; otherwise the axes of view
-/// space are not defined, all coordinates become NaN, and nothing is drawn.
+/// `eye` and `target` must differ and `up` must not be parallel to the line between them; otherwise
+/// the axes of view space are not defined, all coordinates become NaN, and nothing is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     /// Position in world space.
@@ -115,7 +119,8 @@ pub struct Camera {
 }
 
 impl Camera {
-    /// The orthonormal axes of view space in world coordinates: to the right, up, and backward (out of the picture).
+    /// The orthonormal axes of view space in world coordinates: to the right, up, and backward (out
+    /// of the picture).
     #[must_use]
     pub fn axes(&self) -> [[f64; 3]; 3] {
         let backward = normalize(subtract(self.eye, self.target));
@@ -123,34 +128,29 @@ impl Camera {
         [right, cross(backward, right), backward]
     }
 
-    /// A world-space point in view space: rotated and moved, never scaled or mirrored. The distance along the view axis
-    /// is `-z`.
+    /// A world-space point in view space: rotated and moved, never scaled or mirrored. The distance
+    /// along the view axis is `-z`.
     #[must_use]
     pub fn to_view(&self, world: [f64; 3]) -> [f64; 3] {
         let from_eye = subtract(world, self.eye);
         self.axes().map(|axis| dot(axis, from_eye))
     }
 
-    /// A view-space point on the screen. In perspective the point must lie in front of the eye (`z < 0`).
+    /// A view-space point on the screen. In perspective the point must lie in front of the eye (`z
+    /// < 0`).
     #[must_use]
     pub fn to_screen(&self, view: [f64; 3]) -> ScreenPoint {
         let [center_x, center_y] = self.viewport.center();
         let [right, up, backward] = view;
         let distance = -backward;
         match self.projection {
-            Projection::Perspective {
-                focal_length_px, near, ..
-            } => ScreenPoint {
+            Projection::Perspective { focal_length_px, near, .. } => ScreenPoint {
                 x: center_x + focal_length_px * right / distance,
                 y: center_y - focal_length_px * up / distance,
                 depth: near / distance,
                 inverse_w: 1.0 / distance,
             },
-            Projection::Orthographic {
-                pixels_per_unit,
-                near,
-                far,
-            } => ScreenPoint {
+            Projection::Orthographic { pixels_per_unit, near, far } => ScreenPoint {
                 x: center_x + pixels_per_unit * right,
                 y: center_y - pixels_per_unit * up,
                 depth: (far - distance) / (far - near),
@@ -169,11 +169,7 @@ pub(super) const fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
 }
 
 const fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 fn normalize(a: [f64; 3]) -> [f64; 3] {
@@ -186,22 +182,11 @@ mod tests {
     use super::super::random::Random;
     use super::*;
 
-    const VIEWPORT: Viewport = Viewport {
-        x: 10.0,
-        y: 20.0,
-        width: 320.0,
-        height: 240.0,
-    };
-    const PERSPECTIVE: Projection = Projection::Perspective {
-        focal_length_px: 200.0,
-        near: 0.5,
-        far: 50.0,
-    };
-    const ORTHOGRAPHIC: Projection = Projection::Orthographic {
-        pixels_per_unit: 8.0,
-        near: -2.0,
-        far: 6.0,
-    };
+    const VIEWPORT: Viewport = Viewport { x: 10.0, y: 20.0, width: 320.0, height: 240.0 };
+    const PERSPECTIVE: Projection =
+        Projection::Perspective { focal_length_px: 200.0, near: 0.5, far: 50.0 };
+    const ORTHOGRAPHIC: Projection =
+        Projection::Orthographic { pixels_per_unit: 8.0, near: -2.0, far: 6.0 };
 
     fn camera(projection: Projection) -> Camera {
         Camera {
@@ -213,7 +198,8 @@ mod tests {
         }
     }
 
-    /// Rounding of a short chain of f64 operations on numbers below 1,000: a few times 1,000 * 2^-53.
+    /// Rounding of a short chain of f64 operations on numbers below 1,000: a few times 1,000 *
+    /// 2^-53.
     fn assert_close(actual: f64, expected: f64) {
         assert!((actual - expected).abs() < 1e-11, "{actual} instead of {expected}");
     }
@@ -238,12 +224,7 @@ mod tests {
         let point = camera.to_screen([2.0, 3.0, -4.0]);
         assert_eq!(
             point,
-            ScreenPoint {
-                x: 170.0 + 100.0,
-                y: 140.0 - 150.0,
-                depth: 0.125,
-                inverse_w: 0.25
-            }
+            ScreenPoint { x: 170.0 + 100.0, y: 140.0 - 150.0, depth: 0.125, inverse_w: 0.25 }
         );
     }
 
@@ -252,12 +233,8 @@ mod tests {
         let mut random = Random(1);
         for _ in 0..1_000 {
             let mut vector = || [(); 3].map(|()| random.real(-3.0, 3.0));
-            let camera = Camera {
-                eye: vector(),
-                target: vector(),
-                up: vector(),
-                ..camera(PERSPECTIVE)
-            };
+            let camera =
+                Camera { eye: vector(), target: vector(), up: vector(), ..camera(PERSPECTIVE) };
             let [right, up, backward] = camera.axes();
             for (a, b, product) in [(right, right, 1.0), (up, up, 1.0), (backward, backward, 1.0)] {
                 assert_close(dot(a, b), product);
@@ -274,7 +251,9 @@ mod tests {
             let camera = camera(projection);
             let [right, up, backward] = camera.axes();
             let at = |right_by: f64, up_by: f64| {
-                let world = [0, 1, 2].map(|i| camera.eye[i] - 2.0 * backward[i] + right_by * right[i] + up_by * up[i]);
+                let world = [0, 1, 2].map(|i| {
+                    camera.eye[i] - 2.0 * backward[i] + right_by * right[i] + up_by * up[i]
+                });
                 camera.to_screen(camera.to_view(world))
             };
             let scale = if projection == PERSPECTIVE { 100.0 } else { 8.0 };
@@ -287,7 +266,8 @@ mod tests {
 
     #[test]
     fn depth_runs_from_one_at_the_near_plane() {
-        let depth = |projection, distance: f64| camera(projection).to_screen([0.3, 0.4, -distance]).depth;
+        let depth =
+            |projection, distance: f64| camera(projection).to_screen([0.3, 0.4, -distance]).depth;
         assert_eq!(depth(PERSPECTIVE, 0.5), 1.0);
         assert_eq!(depth(PERSPECTIVE, 1.0), 0.5);
         assert_eq!(depth(PERSPECTIVE, 50.0), 0.01);
@@ -300,17 +280,10 @@ mod tests {
     fn the_field_of_view_fills_the_height() {
         let fov_y = 1.1_f64;
         let focal_length_px = Projection::focal_length_px(fov_y, VIEWPORT.height);
-        let camera = camera(Projection::Perspective {
-            focal_length_px,
-            near: 0.5,
-            far: 50.0,
-        });
+        let camera = camera(Projection::Perspective { focal_length_px, near: 0.5, far: 50.0 });
         let rise = (fov_y / 2.0).tan();
         assert_close(camera.to_screen([0.0, 7.0 * rise, -7.0]).y, VIEWPORT.y);
-        assert_close(
-            camera.to_screen([0.0, -7.0 * rise, -7.0]).y,
-            VIEWPORT.y + VIEWPORT.height,
-        );
+        assert_close(camera.to_screen([0.0, -7.0 * rise, -7.0]).y, VIEWPORT.y + VIEWPORT.height);
         assert_close(Projection::focal_length_px(std::f64::consts::FRAC_PI_2, 240.0), 120.0);
     }
 
@@ -331,13 +304,7 @@ mod tests {
             let viewport = Viewport { x, y, width, height };
             assert_eq!(viewport.pixels((48, 32)), [columns, rows], "{viewport:?}");
         }
-        let [columns, _] = Viewport {
-            x: 100.0,
-            y: 0.0,
-            width: 20.0,
-            height: 9.0,
-        }
-        .pixels((48, 32));
+        let [columns, _] = Viewport { x: 100.0, y: 0.0, width: 20.0, height: 9.0 }.pixels((48, 32));
         assert!(columns.is_empty());
     }
 }

@@ -1,8 +1,8 @@
 //! Clipping of polygons against the near and the far plane, in view space before the projection.
 //!
-//! Clip coordinates are linear in view coordinates, so clipping here is homogeneous clipping; what is left has w > 0
-//! and can be divided. The four sides of the screen need no clipping: f64 holds the coordinates of any triangle, and
-//! the loop over pixels is confined to the picture.
+//! Clip coordinates are linear in view coordinates, so clipping here is homogeneous clipping; what
+//! is left has w > 0 and can be divided. The four sides of the screen need no clipping: f64 holds
+//! the coordinates of any triangle, and the loop over pixels is confined to the picture.
 
 /// A corner of a polygon on its way from view space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,17 +13,19 @@ pub(super) struct ViewVertex {
     pub level: f64,
 }
 
-/// The part of a convex polygon between the distances `near` and `far` along the view axis, in the same winding. It has
-/// fewer than three vertices when no area is left, and at most two more than before.
+/// The part of a convex polygon between the distances `near` and `far` along the view axis, in the
+/// same winding. It has fewer than three vertices when no area is left, and at most two more than
+/// before.
 ///
-/// Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974: one plane after the other.
+/// Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974: one plane after the
+/// other.
 pub(super) fn clip(polygon: &[ViewVertex], [near, far]: [f64; 2]) -> Vec<ViewVertex> {
     let beyond_near = clip_at(polygon, -near, -1.0);
     clip_at(&beyond_near, -far, 1.0)
 }
 
-/// The part of a convex polygon on one side of the plane `z = plane`: towards +z for `side = 1`, towards -z for -1. The
-/// plane itself belongs to the part that is kept.
+/// The part of a convex polygon on one side of the plane `z = plane`: towards +z for `side = 1`,
+/// towards -z for -1. The plane itself belongs to the part that is kept.
 fn clip_at(polygon: &[ViewVertex], plane: f64, side: f64) -> Vec<ViewVertex> {
     let inside_by = |vertex: &ViewVertex| side * (vertex.position[2] - plane);
     let mut kept = Vec::with_capacity(polygon.len() + 1);
@@ -33,8 +35,9 @@ fn clip_at(polygon: &[ViewVertex], plane: f64, side: f64) -> Vec<ViewVertex> {
         if from_by >= 0.0 {
             kept.push(*from);
         }
-        // Always computed from the inner to the outer end, so that two triangles that run along a shared edge in
-        // opposite directions get the same new vertex, bit for bit, and stay watertight.
+        // Always computed from the inner to the outer end, so that two triangles that run along a
+        // shared edge in opposite directions get the same new vertex, bit for bit, and stay
+        // watertight.
         if from_by > 0.0 && to_by < 0.0 {
             kept.push(crossing(from, to, from_by / (from_by - to_by), plane));
         } else if from_by < 0.0 && to_by > 0.0 {
@@ -44,8 +47,9 @@ fn clip_at(polygon: &[ViewVertex], plane: f64, side: f64) -> Vec<ViewVertex> {
     kept
 }
 
-/// The point at the fraction `t` of the way from `inner` to `outer`. Its z is the plane's own and not a rounded blend:
-/// a near plane much closer than the rounding of the two ends would otherwise yield points behind the eye.
+/// The point at the fraction `t` of the way from `inner` to `outer`. Its z is the plane's own and
+/// not a rounded blend: a near plane much closer than the rounding of the two ends would otherwise
+/// yield points behind the eye.
 fn crossing(inner: &ViewVertex, outer: &ViewVertex, t: f64, plane: f64) -> ViewVertex {
     let blend = |a: f64, b: f64| a + t * (b - a);
     let ([inner_x, inner_y, _], [outer_x, outer_y, _]) = (inner.position, outer.position);
@@ -61,19 +65,13 @@ mod tests {
     use super::*;
 
     fn vertex(x: f64, y: f64, z: f64, level: f64) -> ViewVertex {
-        ViewVertex {
-            position: [x, y, z],
-            level,
-        }
+        ViewVertex { position: [x, y, z], level }
     }
 
-    /// A right triangle in the plane x = 3 with legs of 4 along -z (distances 1 to 5) and 4 along y; level = distance.
+    /// A right triangle in the plane x = 3 with legs of 4 along -z (distances 1 to 5) and 4 along
+    /// y; level = distance.
     fn triangle() -> [ViewVertex; 3] {
-        [
-            vertex(3.0, 0.0, -1.0, 1.0),
-            vertex(3.0, 0.0, -5.0, 5.0),
-            vertex(3.0, 4.0, -1.0, 1.0),
-        ]
+        [vertex(3.0, 0.0, -1.0, 1.0), vertex(3.0, 0.0, -5.0, 5.0), vertex(3.0, 4.0, -1.0, 1.0)]
     }
 
     /// Area in the (z, y) plane, positive in the winding of `triangle`.
@@ -90,11 +88,7 @@ mod tests {
     #[test]
     fn a_polygon_between_the_planes_is_unchanged() {
         assert_eq!(clip(&triangle(), [0.5, 6.0]), triangle());
-        assert_eq!(
-            clip(&triangle(), [1.0, 5.0]),
-            triangle(),
-            "the planes themselves are inside"
-        );
+        assert_eq!(clip(&triangle(), [1.0, 5.0]), triangle(), "the planes themselves are inside");
     }
 
     #[test]
@@ -106,7 +100,8 @@ mod tests {
 
     #[test]
     fn what_is_left_has_the_area_of_the_closed_form() {
-        // The triangle is 5 - d high at the distance d, so the part between two distances is a trapezium.
+        // The triangle is 5 - d high at the distance d, so the part between two distances is a
+        // trapezium.
         for [near, far] in [[2.0, 9.0], [0.5, 3.0], [2.0, 3.0], [1.25, 4.75]] {
             let (from, to) = (f64::max(near, 1.0), f64::min(far, 5.0));
             let expected = (to - from) * ((5.0 - from) + (5.0 - to)) / 2.0;
@@ -135,7 +130,9 @@ mod tests {
     fn neighbours_share_the_new_vertices_bit_for_bit() {
         let mut random = Random(12);
         for _ in 0..100 {
-            let mut corner = |z: f64| vertex(random.real(-9.0, 9.0), random.real(-9.0, 9.0), z, random.real(0.0, 1.0));
+            let mut corner = |z: f64| {
+                vertex(random.real(-9.0, 9.0), random.real(-9.0, 9.0), z, random.real(0.0, 1.0))
+            };
             // The edge ab crosses both planes; the triangles run along it in opposite directions.
             let (a, b, c, d) = (corner(-0.3), corner(-7.7), corner(-2.9), corner(-9.1));
             let one = clip(&[a, b, c], [1.1, 5.3]);
@@ -147,11 +144,8 @@ mod tests {
 
     #[test]
     fn a_vertex_on_a_plane_is_kept_once() {
-        let (inside, on, outside) = (
-            vertex(1.0, 0.0, -2.0, 0.0),
-            vertex(0.0, 1.0, -1.0, 0.0),
-            vertex(0.0, 0.0, 0.0, 0.0),
-        );
+        let (inside, on, outside) =
+            (vertex(1.0, 0.0, -2.0, 0.0), vertex(0.0, 1.0, -1.0, 0.0), vertex(0.0, 0.0, 0.0, 0.0));
         let middle = vertex(0.5, 0.0, -1.0, 0.0);
         assert_eq!(clip(&[inside, on, outside], [1.0, 9.0]), [inside, on, middle]);
         assert_eq!(clip(&[on, inside, outside], [1.0, 9.0]), [on, inside, middle]);

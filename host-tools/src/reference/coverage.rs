@@ -1,17 +1,20 @@
 //! Which pixel centres a triangle covers: three half-planes and the top-left rule.
 //!
-//! Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988, gives the edge function; the Direct3D 11.3
-//! functional specification, section 3.4.2.1, the rule for centres on an edge: they belong to the triangle when the
-//! edge is a left edge, or a top edge, which is horizontal and above the rest.
+//! Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988, gives the edge
+//! function; the Direct3D 11.3 functional specification, section 3.4.2.1, the rule for centres on
+//! an edge: they belong to the triangle when the edge is a left edge, or a top edge, which is
+//! horizontal and above the rest.
 //!
 //! # Exactness
 //!
-//! Let the coordinates be multiples of 1/256 pixel of magnitude up to 4,096 pixels. A coordinate difference is then a
-//! multiple of 1/256 below 2^13 + 1, which needs 22 bits; a product of two needs 44 and the difference of two products
-//! 45, less than the 53 bits of an f64. So every operation of an edge function is exact and so is the verdict: any
-//! disagreement with another rasterizer on the same coordinates is an error of one of them.
+//! Let the coordinates be multiples of 1/256 pixel of magnitude up to 4,096 pixels. A coordinate
+//! difference is then a multiple of 1/256 below 2^13 + 1, which needs 22 bits; a product of two
+//! needs 44 and the difference of two products 45, less than the 53 bits of an f64. So every
+//! operation of an edge function is exact and so is the verdict: any disagreement with another
+//! rasterizer on the same coordinates is an error of one of them.
 //!
-//! Coordinates of any other kind are rounded, but two triangles on a shared edge still round alike: see [`Edge`].
+//! Coordinates of any other kind are rounded, but two triangles on a shared edge still round alike:
+//! see [`Edge`].
 
 use std::ops::Range;
 
@@ -25,18 +28,17 @@ pub(super) struct Region {
 impl Region {
     /// A whole picture of `size` (width, height) pixels.
     pub(super) const fn whole((width, height): (usize, usize)) -> Self {
-        Self {
-            columns: 0..width,
-            rows: 0..height,
-        }
+        Self { columns: 0..width, rows: 0..height }
     }
 }
 
-/// The edge function of one side of a triangle: twice the signed area spanned by the side and a point.
+/// The edge function of one side of a triangle: twice the signed area spanned by the side and a
+/// point.
 ///
-/// The side is held from its lexicographically smaller end to the larger one, whichever way the triangle runs along it,
-/// and `inside` carries the sign. Two triangles on both sides of a shared edge therefore compute the same number with
-/// opposite signs, rounded or not, and exactly one of them covers each centre.
+/// The side is held from its lexicographically smaller end to the larger one, whichever way the
+/// triangle runs along it, and `inside` carries the sign. Two triangles on both sides of a shared
+/// edge therefore compute the same number with opposite signs, rounded or not, and exactly one of
+/// them covers each centre.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
     start: [f64; 2],
@@ -53,14 +55,10 @@ impl Edge {
         let (start, end, direction) = if a <= b { (a, b, 1.0) } else { (b, a, -1.0) };
         let along = [end[0] - start[0], end[1] - start[1]];
         let inside = direction * area.signum();
-        // With y down and the triangle on the positive side, a left edge runs upward and a top edge to the right.
+        // With y down and the triangle on the positive side, a left edge runs upward and a top edge
+        // to the right.
         let [right, down] = along.map(|component| component * inside);
-        Self {
-            start,
-            along,
-            inside,
-            is_top_left: down < 0.0 || (down == 0.0 && right > 0.0),
-        }
+        Self { start, along, inside, is_top_left: down < 0.0 || (down == 0.0 && right > 0.0) }
     }
 
     fn value(&self, [x, y]: [f64; 2]) -> f64 {
@@ -72,17 +70,23 @@ impl Edge {
     }
 }
 
-/// Twice the signed area of the triangle `abc` on the screen: positive when it is clockwise for the viewer, as y points
-/// down; front faces have a negative area.
+/// Twice the signed area of the triangle `abc` on the screen: positive when it is clockwise for the
+/// viewer, as y points down; front faces have a negative area.
 pub(super) fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
     Edge::new(a, b, 1.0).value(c)
 }
 
-/// Calls `visit(column, row, weights)` for every pixel of the region whose centre the triangle covers, row by row. The
-/// barycentric weights belong to the corners in their order and sum to 1 up to rounding.
+/// Calls `visit(column, row, weights)` for every pixel of the region whose centre the triangle
+/// covers, row by row. The barycentric weights belong to the corners in their order and sum to 1 up
+/// to rounding.
 ///
-/// Either winding will do. A triangle without area, or with a coordinate that is not finite, covers nothing.
-pub(super) fn for_each_covered(corners: [[f64; 2]; 3], region: &Region, mut visit: impl FnMut(usize, usize, [f64; 3])) {
+/// Either winding will do. A triangle without area, or with a coordinate that is not finite, covers
+/// nothing.
+pub(super) fn for_each_covered(
+    corners: [[f64; 2]; 3],
+    region: &Region,
+    mut visit: impl FnMut(usize, usize, [f64; 3]),
+) {
     let area = doubled_area(corners);
     if area == 0.0 || !area.is_finite() {
         return;
@@ -90,29 +94,32 @@ pub(super) fn for_each_covered(corners: [[f64; 2]; 3], region: &Region, mut visi
     let [a, b, c] = corners;
     // Each edge lies opposite the corner whose weight it yields.
     let edges = [Edge::new(b, c, area), Edge::new(c, a, area), Edge::new(a, b, area)];
-    let covers = |values: &[f64; 3]| edges.iter().zip(values).all(|(edge, &value)| edge.accepts(value));
+    let covers =
+        |values: &[f64; 3]| edges.iter().zip(values).all(|(edge, &value)| edge.accepts(value));
 
     let columns = pixels_between(corners.map(|corner| corner[0]), &region.columns);
     for row in pixels_between(corners.map(|corner| corner[1]), &region.rows) {
         let y = row as f64 + 0.5;
-        // Each operation of an edge function, and its rounding, is monotonic in x, so the covered pixels of a row are
-        // neighbours: after the last of them the row is done.
+        // Each operation of an edge function, and its rounding, is monotonic in x, so the covered
+        // pixels of a row are neighbours: after the last of them the row is done.
         let span = columns
             .clone()
             .map(|column| (column, edges.map(|edge| edge.value([column as f64 + 0.5, y]))))
             .skip_while(|(_, values)| !covers(values))
             .take_while(|(_, values)| covers(values));
         for (column, values) in span {
-            // The area again, but with the roundings of the values, so that the weights sum to 1. It is above 0, even
-            // on a corner: the three sides add up to nothing, so not all of them are left or top edges.
+            // The area again, but with the roundings of the values, so that the weights sum to 1.
+            // It is above 0, even on a corner: the three sides add up to nothing, so
+            // not all of them are left or top edges.
             let sum = values[0] + values[1] + values[2];
             visit(column, row, values.map(|value| value / sum));
         }
     }
 }
 
-/// The pixels within `limits` whose extent overlaps that of the three coordinates. Truncation is monotonic and a
-/// pixel's number is its truncated centre, so no centre is lost; `as` saturates, so no coordinate is too large.
+/// The pixels within `limits` whose extent overlaps that of the three coordinates. Truncation is
+/// monotonic and a pixel's number is its truncated centre, so no centre is lost; `as` saturates, so
+/// no coordinate is too large.
 fn pixels_between(coordinates: [f64; 3], limits: &Range<usize>) -> Range<usize> {
     let low = coordinates.into_iter().fold(f64::INFINITY, f64::min);
     let high = coordinates.into_iter().fold(f64::NEG_INFINITY, f64::max);
@@ -131,9 +138,7 @@ mod tests {
     /// The four axes, the four diagonals, and a direction within each octant.
     fn directions() -> impl Iterator<Item = [f64; 2]> {
         let first_quarter = [[1.0, 0.0], [3.0, 1.0], [1.0, 1.0], [1.0, 2.0]];
-        first_quarter
-            .into_iter()
-            .flat_map(|[x, y]| [[x, y], [-y, x], [-x, -y], [y, -x]])
+        first_quarter.into_iter().flat_map(|[x, y]| [[x, y], [-y, x], [-x, -y], [y, -x]])
     }
 
     fn region() -> Region {
@@ -161,20 +166,23 @@ mod tests {
     }
 
     /// A parallelogram from `corner` along `u` and `v`, cut along either diagonal.
-    fn parallelogram(corner: [f64; 2], u: [f64; 2], v: [f64; 2], other_diagonal: bool) -> [Triangle; 2] {
-        let at = |s: f64, t: f64| [corner[0] + s * u[0] + t * v[0], corner[1] + s * u[1] + t * v[1]];
+    fn parallelogram(
+        corner: [f64; 2],
+        u: [f64; 2],
+        v: [f64; 2],
+        other_diagonal: bool,
+    ) -> [Triangle; 2] {
+        let at =
+            |s: f64, t: f64| [corner[0] + s * u[0] + t * v[0], corner[1] + s * u[1] + t * v[1]];
         let [a, b, c, d] = [at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)];
-        if other_diagonal {
-            [[a, b, d], [d, b, c]]
-        } else {
-            [[a, b, c], [c, d, a]]
-        }
+        if other_diagonal { [[a, b, d], [d, b, c]] } else { [[a, b, c], [c, d, a]] }
     }
 
-    /// The top-left rule as a perturbation: a centre on an edge belongs to the triangle that lies to its right, or,
-    /// along a horizontal edge, below it. So the centre, moved to the right by ε and down by ε², must lie strictly
-    /// inside as ε goes to 0: the side of an edge it is on is the sign of the cross product, else of its derivative to
-    /// the right, else of the one downward. In whole numbers, in units of 1/512 pixel.
+    /// The top-left rule as a perturbation: a centre on an edge belongs to the triangle that lies
+    /// to its right, or, along a horizontal edge, below it. So the centre, moved to the right
+    /// by ε and down by ε², must lie strictly inside as ε goes to 0: the side of an edge it is
+    /// on is the sign of the cross product, else of its derivative to the right, else of the
+    /// one downward. In whole numbers, in units of 1/512 pixel.
     fn covers_exactly(triangle: Triangle, x: usize, y: usize) -> bool {
         let scale = |value: f64| (value * 512.0) as i64;
         let [a, b, c] = triangle.map(|corner| corner.map(scale));
@@ -203,8 +211,9 @@ mod tests {
 
     #[test]
     fn a_rectangle_between_centers_covers_as_many_centers_as_its_area() {
-        // With its corners on centres and each pair of opposite sides half open, copies of the rectangle tile the plane
-        // and each takes its share of the lattice of centres: exactly its area, in every direction.
+        // With its corners on centres and each pair of opposite sides half open, copies of the
+        // rectangle tile the plane and each takes its share of the lattice of centres:
+        // exactly its area, in every direction.
         for [x, y] in directions() {
             for (length, width) in [(1.0, 1.0), (4.0, 3.0), (2.0, 7.0)] {
                 let (u, v) = ([length * x, length * y], [-width * y, width * x]);
@@ -241,14 +250,14 @@ mod tests {
     #[test]
     fn snapped_triangles_agree_with_whole_numbers_everywhere() {
         let mut random = Random(2);
-        // Steps of half a pixel put very many edges on centres; the last case is the documented limit.
-        for (low, high, step) in [
-            (-20.0, 40.0, 0.5),
-            (-20.0, 40.0, 1.0 / 256.0),
-            (-4032.0, 4095.0, 1.0 / 256.0),
-        ] {
+        // Steps of half a pixel put very many edges on centres; the last case is the documented
+        // limit.
+        for (low, high, step) in
+            [(-20.0, 40.0, 0.5), (-20.0, 40.0, 1.0 / 256.0), (-4032.0, 4095.0, 1.0 / 256.0)]
+        {
             for number in 0..600 {
-                let mut triangle = [(); 3].map(|()| [(); 2].map(|()| random.snapped(low, high, step)));
+                let mut triangle =
+                    [(); 3].map(|()| [(); 2].map(|()| random.snapped(low, high, step)));
                 if number % 2 == 0 {
                     // An edge right through a centre, however long it is.
                     triangle[1] = triangle[0].map(|coordinate| 63.0 - coordinate);
@@ -257,7 +266,11 @@ mod tests {
                 for y in 0..SIZE {
                     for x in 0..SIZE {
                         let covers = pixels.next_if_eq(&(x, y)).is_some();
-                        assert_eq!(covers, covers_exactly(triangle, x, y), "({x}, {y}) in {triangle:?}");
+                        assert_eq!(
+                            covers,
+                            covers_exactly(triangle, x, y),
+                            "({x}, {y}) in {triangle:?}"
+                        );
                     }
                 }
             }
@@ -277,7 +290,8 @@ mod tests {
                 let counts = counts(&fan);
                 assert_eq!(counts[31 * SIZE + 31], 1, "the hub of {count} triangles");
                 assert!(counts.iter().all(|&times| times <= 1), "{count} triangles");
-                // The inscribed circle of the rim has the radius 25 cos(π / count), less the snapping.
+                // The inscribed circle of the rim has the radius 25 cos(π / count), less the
+                // snapping.
                 let inner = 25.0 * (std::f64::consts::PI / count as f64).cos() - 0.1;
                 for (pixel, &times) in counts.iter().enumerate() {
                     let [x, y] = center(pixel);
@@ -294,9 +308,10 @@ mod tests {
         for (reach, step) in [(64.0, 0.5), (64.0, 0.0), (1e6, 0.0), (1e9, 0.0)] {
             let mut crossings = 0;
             for _ in 0..300 {
-                let mut point = |low: f64, high: f64| [(); 2].map(|()| random.snapped(low, high, step));
-                // A parallelogram whose diagonal from a to b runs through a centre, as nearly as the corners can be
-                // rounded; its other corners are c and d.
+                let mut point =
+                    |low: f64, high: f64| [(); 2].map(|()| random.snapped(low, high, step));
+                // A parallelogram whose diagonal from a to b runs through a centre, as nearly as
+                // the corners can be rounded; its other corners are c and d.
                 let (pixel, a, c) = (point(0.0, 63.0), point(-reach, reach), point(-reach, reach));
                 let b = [0, 1].map(|i| 3.0 * (pixel[i].floor() + 0.5) - 2.0 * a[i]);
                 let d = [0, 1].map(|i| a[i] + b[i] - c[i]);
@@ -317,8 +332,9 @@ mod tests {
         const CELLS: usize = 16;
         let mut random = Random(4);
         for step in [0.5, 1.0 / 16.0, 1.0 / 256.0, 0.0] {
-            // Corners at multiples of 5 pixels from -8, moved by up to 1: less than 5/4, so no cell folds over. They
-            // reach to 72, so that the outer ones, moved or not, lie outside the picture.
+            // Corners at multiples of 5 pixels from -8, moved by up to 1: less than 5/4, so no cell
+            // folds over. They reach to 72, so that the outer ones, moved or not, lie
+            // outside the picture.
             let mut jitter = || random.snapped(-1.0, 1.0, step);
             let corners: Vec<[f64; 2]> = (0..(CELLS + 1) * (CELLS + 1))
                 .map(|i| {
@@ -330,14 +346,13 @@ mod tests {
                 .collect();
             let mut triangles = Vec::new();
             for i in (0..CELLS * (CELLS + 1)).filter(|i| i % (CELLS + 1) < CELLS) {
-                let [a, b, c, d] = [i, i + 1, i + CELLS + 2, i + CELLS + 1].map(|corner| corners[corner]);
+                let [a, b, c, d] =
+                    [i, i + 1, i + CELLS + 2, i + CELLS + 1].map(|corner| corners[corner]);
                 triangles.extend([[a, b, c], [a, d, c]]);
             }
             let counts = counts(&triangles);
-            let wrong: Vec<_> = (0..SIZE * SIZE)
-                .filter(|&pixel| counts[pixel] != 1)
-                .map(center)
-                .collect();
+            let wrong: Vec<_> =
+                (0..SIZE * SIZE).filter(|&pixel| counts[pixel] != 1).map(center).collect();
             assert!(wrong.is_empty(), "step {step}: {wrong:?}");
         }
     }
@@ -358,7 +373,8 @@ mod tests {
     fn moving_by_whole_pixels_moves_the_pixels() {
         let mut random = Random(6);
         for _ in 0..500 {
-            let triangle = [(); 3].map(|()| [(); 2].map(|()| random.snapped(10.0, 30.0, 1.0 / 16.0)));
+            let triangle =
+                [(); 3].map(|()| [(); 2].map(|()| random.snapped(10.0, 30.0, 1.0 / 16.0)));
             let pixels = covered(triangle);
             for (right, down) in [(1, 0), (0, 1), (17, 29), (34, 34)] {
                 let moved = covered(triangle.map(|[x, y]| [x + right as f64, y + down as f64]));
@@ -372,7 +388,9 @@ mod tests {
     fn the_picture_border_cuts_and_loses_nothing() {
         let triangle = [[3.25, 1.5], [40.5, 20.75], [11.0, 44.5]];
         let all = covered(triangle);
-        for (columns, rows) in [(5..30, 4..40), (0..SIZE, 30..31), (20..21, 0..SIZE), (0..0, 0..SIZE)] {
+        for (columns, rows) in
+            [(5..30, 4..40), (0..SIZE, 30..31), (20..21, 0..SIZE), (0..0, 0..SIZE)]
+        {
             let region = Region { columns, rows };
             let mut inside = Vec::new();
             for_each_covered(triangle, &region, |x, y, _| inside.push((x, y)));
@@ -380,10 +398,7 @@ mod tests {
             expected.retain(|(x, y)| region.columns.contains(x) && region.rows.contains(y));
             assert_eq!(inside, expected);
         }
-        let one = Region {
-            columns: 0..1,
-            rows: 0..1,
-        };
+        let one = Region { columns: 0..1, rows: 0..1 };
         let mut count = 0;
         for_each_covered([[0.5, 0.5], [0.625, 0.5], [0.5, 0.625]], &one, |_, _, _| count += 1);
         assert_eq!(
@@ -395,20 +410,15 @@ mod tests {
     #[test]
     fn triangles_without_area_or_with_wild_coordinates_draw_nothing() {
         let (a, b, c) = ([3.5, 3.5], [9.5, 15.5], [6.5, 9.5]);
-        for triangle in [
-            [a, b, c],
-            [b, c, a],
-            [c, a, b],
-            [c, b, a],
-            [a, a, b],
-            [a, b, a],
-            [b, a, a],
-            [a, a, a],
-        ] {
+        for triangle in
+            [[a, b, c], [b, c, a], [c, a, b], [c, b, a], [a, a, b], [a, b, a], [b, a, a], [a, a, a]]
+        {
             assert_eq!(covered(triangle), []);
         }
         for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
-            for triangle in [[[wild, 0.0], b, a], [a, [9.0, wild], [20.0, 3.0]], [a, b, [wild, wild]]] {
+            for triangle in
+                [[[wild, 0.0], b, a], [a, [9.0, wild], [20.0, 3.0]], [a, b, [wild, wild]]]
+            {
                 let mut total = 0.0;
                 for_each_covered(triangle, &region(), |_, _, weights| {
                     total += weights.iter().sum::<f64>();
@@ -432,8 +442,9 @@ mod tests {
                 [],
                 "all of it above the picture"
             );
-            // The half-plane below the diagonal y = x, whose line meets every centre of the diagonal: a left edge has
-            // its triangle to the right, this one has it to the left and below.
+            // The half-plane below the diagonal y = x, whose line meets every centre of the
+            // diagonal: a left edge has its triangle to the right, this one has it to
+            // the left and below.
             let below = covered([[-reach, -reach], [reach, reach], [-reach, reach]]);
             assert_eq!(below.len(), SIZE * (SIZE - 1) / 2);
         }
@@ -443,8 +454,8 @@ mod tests {
     fn slivers_cover_the_centers_on_their_left_or_top_side_only() {
         let thin = 1.0 / 256.0;
         let width = SIZE as f64;
-        // (corner, side, thickness): a sliver with its owned side on a row, a column, a diagonal of centres, then the
-        // sliver on the other side of the same centres.
+        // (corner, side, thickness): a sliver with its owned side on a row, a column, a diagonal of
+        // centres, then the sliver on the other side of the same centres.
         let cases = [
             ([0.0, 10.5], [width, 0.0], [0.0, thin], SIZE),
             ([0.0, 10.5], [width, 0.0], [0.0, -thin], 0),
@@ -462,7 +473,14 @@ mod tests {
         }
         // 256 slivers side by side close one row: its centres lie on the shared edge in the middle.
         let slivers: Vec<Triangle> = (0..256)
-            .flat_map(|i| parallelogram([0.0, 10.0 + f64::from(i) * thin], [width, 0.0], [0.0, thin], i % 2 == 0))
+            .flat_map(|i| {
+                parallelogram(
+                    [0.0, 10.0 + f64::from(i) * thin],
+                    [width, 0.0],
+                    [0.0, thin],
+                    i % 2 == 0,
+                )
+            })
             .collect();
         for (pixel, count) in counts(&slivers).into_iter().enumerate() {
             assert_eq!(count, usize::from(pixel / SIZE == 10));

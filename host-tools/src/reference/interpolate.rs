@@ -1,20 +1,22 @@
 //! Values between the vertices of a triangle.
 //!
-//! Vulkan specification, "Basic polygon rasterization" (OpenGL 4.6 core profile, section 14.6.1, is the same): depth is
-//! linear in screen space; everything else is linear on the surface in space, which the division by w bends in the
-//! picture.
+//! Vulkan specification, "Basic polygon rasterization" (OpenGL 4.6 core profile, section 14.6.1, is
+//! the same): depth is linear in screen space; everything else is linear on the surface in space,
+//! which the division by w bends in the picture.
 
 /// The value at the point with the given barycentric weights, linear between the three vertices.
 ///
-/// Written from the first vertex on, so that three equal values give exactly that value wherever the point lies.
+/// Written from the first vertex on, so that three equal values give exactly that value wherever
+/// the point lies.
 pub(super) const fn linear(weights: [f64; 3], values: [f64; 3]) -> f64 {
     values[0] + weights[1] * (values[1] - values[0]) + weights[2] * (values[2] - values[0])
 }
 
-/// The barycentric weights on the surface in space of the point that has the barycentric `weights` on the screen, from
-/// the reciprocal of each vertex' w.
+/// The barycentric weights on the surface in space of the point that has the barycentric `weights`
+/// on the screen, from the reciprocal of each vertex' w.
 ///
-/// A value f is hyperbolic on the screen: f / w and 1 / w are linear there, so f = Σ(bᵢ fᵢ / wᵢ) / Σ(bᵢ / wᵢ).
+/// A value f is hyperbolic on the screen: f / w and 1 / w are linear there, so f = Σ(bᵢ fᵢ / wᵢ) /
+/// Σ(bᵢ / wᵢ).
 pub(super) fn in_perspective(weights: [f64; 3], inverse_w: [f64; 3]) -> [f64; 3] {
     let parts = [0, 1, 2].map(|i| weights[i] * inverse_w[i]);
     let sum = parts[0] + parts[1] + parts[2];
@@ -46,7 +48,8 @@ mod tests {
 
     #[test]
     fn the_middle_of_the_screen_lies_closer_to_the_nearer_vertex() {
-        // From w = 1 to w = 3, halfway on the screen: 1 / w = (1 + 1/3) / 2 = 2/3, so w = 1.5, a quarter of the way.
+        // From w = 1 to w = 3, halfway on the screen: 1 / w = (1 + 1/3) / 2 = 2/3, so w = 1.5, a
+        // quarter of the way.
         let weights = in_perspective([0.5, 0.5, 0.0], [1.0, 1.0 / 3.0, 1.0]);
         assert!((weights[0] - 0.75).abs() < 1e-15, "{weights:?}");
         assert!((weights[1] - 0.25).abs() < 1e-15, "{weights:?}");

@@ -1,17 +1,20 @@
-//! An f64 reference rasterizer that judges the fixed-point one: the definitions of the graphics specifications, written
-//! down as directly as they can be evaluated.
+//! An f64 reference rasterizer that judges the fixed-point one: the definitions of the graphics
+//! specifications, written down as directly as they can be evaluated.
 //!
-//! It shares no code and no table with the rasterizer it judges, and it has no dependency but `std`. Two routes end in
-//! the same [`Picture`]:
+//! It shares no code and no table with the rasterizer it judges, and it has no dependency but
+//! `std`. Two routes end in the same [`Picture`]:
 //!
-//! * [`draw_scene`], **end to end**: a world-space [`Mesh`] seen by a [`Camera`]. View transform, clipping against the
-//!   near and the far plane, projection, culling, coverage, perspective-correct light. It measures what fixed-point
-//!   arithmetic and every approximation cost in the final picture.
-//! * [`draw_screen`], **arithmetic**: triangles that are already projected, culled, clipped and snapped to a sub-pixel
-//!   grid. Coverage is then exact in f64, so two correct rasterizers agree on every pixel and the tolerance is zero.
+//! * [`draw_scene`], **end to end**: a world-space [`Mesh`] seen by a [`Camera`]. View transform,
+//!   clipping against the near and the far plane, projection, culling, coverage,
+//!   perspective-correct light. It measures what fixed-point arithmetic and every approximation
+//!   cost in the final picture.
+//! * [`draw_screen`], **arithmetic**: triangles that are already projected, culled, clipped and
+//!   snapped to a sub-pixel grid. Coverage is then exact in f64, so two correct rasterizers agree
+//!   on every pixel and the tolerance is zero.
 //!
-//! A [`Picture`] keeps *every* fragment of a pixel, not only the visible one, so that a disagreement can be told apart:
-//! a wrong edge, or two layers whose depths lie closer together than the depth buffer resolves.
+//! A [`Picture`] keeps *every* fragment of a pixel, not only the visible one, so that a
+//! disagreement can be told apart: a wrong edge, or two layers whose depths lie closer together
+//! than the depth buffer resolves.
 //!
 //! # Conventions
 //!

@@ -1,7 +1,8 @@
 //! The picture: for each pixel, all fragments that cover it.
 //!
-//! Carpenter, "The A-buffer, an antialiased hidden surface method", SIGGRAPH 1984, keeps the surfaces of a pixel in a
-//! list for the same reason: what is in front can be decided, or doubted, later.
+//! Carpenter, "The A-buffer, an antialiased hidden surface method", SIGGRAPH 1984, keeps the
+//! surfaces of a pixel in a list for the same reason: what is in front can be decided, or doubted,
+//! later.
 
 /// What one triangle contributes to one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -10,7 +11,8 @@ pub struct Fragment {
     pub depth: f64,
     /// Red, green, blue at the pixel centre, in 0..=255 and not quantised.
     pub color: [f64; 3],
-    /// Number of the triangle in the list that was drawn; pieces of a clipped triangle keep its number.
+    /// Number of the triangle in the list that was drawn; pieces of a clipped triangle keep its
+    /// number.
     pub triangle: u32,
 }
 
@@ -55,8 +57,8 @@ impl Picture {
         &self.fragments[self.starts[pixel]..self.starts[pixel + 1]]
     }
 
-    /// The visible fragment of a pixel: the one of greatest depth, the first drawn of several equals, as a depth test
-    /// for "greater" leaves it; `None` where only the background shows.
+    /// The visible fragment of a pixel: the one of greatest depth, the first drawn of several
+    /// equals, as a depth test for "greater" leaves it; `None` where only the background shows.
     ///
     /// # Panics
     ///
@@ -90,11 +92,7 @@ pub(super) struct Canvas {
 
 impl Canvas {
     pub(super) const fn new((width, height): (usize, usize)) -> Self {
-        Self {
-            width,
-            height,
-            fragments: Vec::new(),
-        }
+        Self { width, height, fragments: Vec::new() }
     }
 
     /// Adds a fragment on top of what the pixel holds.
@@ -102,7 +100,8 @@ impl Canvas {
         self.fragments.push((y * self.width + x, fragment));
     }
 
-    /// Sorts the fragments by pixel. A counting sort is stable, so each pixel keeps the drawing order.
+    /// Sorts the fragments by pixel. A counting sort is stable, so each pixel keeps the drawing
+    /// order.
     pub(super) fn into_picture(self) -> Picture {
         let mut starts = vec![0; self.width * self.height + 1];
         for (pixel, _) in &self.fragments {
@@ -117,12 +116,7 @@ impl Canvas {
             fragments[next[pixel]] = fragment;
             next[pixel] += 1;
         }
-        Picture {
-            width: self.width,
-            height: self.height,
-            fragments,
-            starts,
-        }
+        Picture { width: self.width, height: self.height, fragments, starts }
     }
 }
 
@@ -131,11 +125,7 @@ mod tests {
     use super::*;
 
     fn fragment(depth: f64, triangle: u32) -> Fragment {
-        Fragment {
-            depth,
-            color: [f64::from(triangle), 2.0, 3.0],
-            triangle,
-        }
+        Fragment { depth, color: [f64::from(triangle), 2.0, 3.0], triangle }
     }
 
     #[test]

@@ -17,8 +17,8 @@ impl Random {
         low + (high - low) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
-    /// A multiple of `step` in `low..=high`, both of them multiples of `step`, exact when `step` is a power of two; any
-    /// real number for the step 0.
+    /// A multiple of `step` in `low..=high`, both of them multiples of `step`, exact when `step` is
+    /// a power of two; any real number for the step 0.
     pub(super) fn snapped(&mut self, low: f64, high: f64, step: f64) -> f64 {
         if step == 0.0 {
             return self.real(low, high);

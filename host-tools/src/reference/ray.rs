@@ -1,4 +1,5 @@
-//! The judge of the judge, for tests: rays through the pixel centres, with no step in common with the drawing.
+//! The judge of the judge, for tests: rays through the pixel centres, with no step in common with
+//! the drawing.
 
 use super::camera::{Camera, Projection};
 
@@ -33,29 +34,24 @@ impl Ray {
         let up_by = viewport.y + viewport.height / 2.0 - y as f64 - 0.5;
         let aside = add(right.map(|component| component * right_by), up, up_by);
         match camera.projection {
-            Projection::Perspective { focal_length_px, .. } => Self {
-                origin: camera.eye,
-                direction: add(forward, aside, 1.0 / focal_length_px),
-            },
-            Projection::Orthographic { pixels_per_unit, .. } => Self {
-                origin: add(camera.eye, aside, 1.0 / pixels_per_unit),
-                direction: forward,
-            },
+            Projection::Perspective { focal_length_px, .. } => {
+                Self { origin: camera.eye, direction: add(forward, aside, 1.0 / focal_length_px) }
+            }
+            Projection::Orthographic { pixels_per_unit, .. } => {
+                Self { origin: add(camera.eye, aside, 1.0 / pixels_per_unit), direction: forward }
+            }
         }
     }
 
-    /// Moeller and Trumbore, "Fast, minimum storage ray/triangle intersection", Journal of Graphics Tools 2(1), 1997.
+    /// Moeller and Trumbore, "Fast, minimum storage ray/triangle intersection", Journal of Graphics
+    /// Tools 2(1), 1997.
     pub(super) fn hit(&self, [a, b, c]: [Vector; 3]) -> Hit {
         let (ab, ac, ao) = (add(b, a, -1.0), add(c, a, -1.0), add(self.origin, a, -1.0));
         let p = perpendicular(self.direction, ac);
         let determinant = product(ab, p);
         let q = perpendicular(ao, ab);
         let (u, v) = (product(ao, p) / determinant, product(self.direction, q) / determinant);
-        Hit {
-            distance: product(ac, q) / determinant,
-            weights: [1.0 - u - v, u, v],
-            determinant,
-        }
+        Hit { distance: product(ac, q) / determinant, weights: [1.0 - u - v, u, v], determinant }
     }
 }
 

@@ -13,12 +13,14 @@ use super::shade::{Light, Shading};
 /// Only pixels inside the camera's viewport are drawn. A fragment's depth is that of
 /// [`ScreenPoint`](super::ScreenPoint), its triangle the index into [`Mesh::triangles`].
 ///
-/// Rounding moves a depth, on its scale from 0 to 1, by some 1e-12, and a light level, which is divided by it, by some
-/// 1e-12 times `w / near`: far below one step of a 16-bit depth or an 8-bit color. A depth may exceed 1 by a rounding.
+/// Rounding moves a depth, on its scale from 0 to 1, by some 1e-12, and a light level, which is
+/// divided by it, by some 1e-12 times `w / near`: far below one step of a 16-bit depth or an 8-bit
+/// color. A depth may exceed 1 by a rounding.
 ///
 /// # Panics
 ///
-/// When a triangle refers to a vertex, normal or color that the mesh does not have, and for more than 2^32 triangles.
+/// When a triangle refers to a vertex, normal or color that the mesh does not have, and for more
+/// than 2^32 triangles.
 #[must_use]
 pub fn draw_scene(
     camera: &Camera,
@@ -30,11 +32,8 @@ pub fn draw_scene(
 ) -> Picture {
     let [columns, rows] = camera.viewport.pixels(size);
     let region = Region { columns, rows };
-    let positions: Vec<_> = mesh
-        .positions
-        .iter()
-        .map(|&position| camera.to_view(position))
-        .collect();
+    let positions: Vec<_> =
+        mesh.positions.iter().map(|&position| camera.to_view(position)).collect();
     let mut canvas = Canvas::new(size);
     for (number, &vertices) in mesh.triangles.iter().enumerate() {
         let levels = match shading {
@@ -42,12 +41,11 @@ pub fn draw_scene(
             Shading::Gouraud => vertices.map(|vertex| light.level(mesh.vertex_normals[vertex])),
             Shading::Unlit => [1.0; 3],
         };
-        let corners = [0, 1, 2].map(|i| ViewVertex {
-            position: positions[vertices[i]],
-            level: levels[i],
-        });
+        let corners =
+            [0, 1, 2].map(|i| ViewVertex { position: positions[vertices[i]], level: levels[i] });
         let polygon = clip(&corners, camera.projection.depth_range());
-        let points: Vec<_> = polygon.iter().map(|corner| camera.to_screen(corner.position)).collect();
+        let points: Vec<_> =
+            polygon.iter().map(|corner| camera.to_screen(corner.position)).collect();
         let outline: Vec<_> = points.iter().map(|point| [point.x, point.y]).collect();
         if culling == Culling::Back && !is_front(&outline) {
             continue;
@@ -68,12 +66,11 @@ pub fn draw_scene(
     canvas.into_picture()
 }
 
-/// Whether a projected convex polygon shows its front: counter-clockwise for the viewer, which is a negative area as y
-/// points down.
+/// Whether a projected convex polygon shows its front: counter-clockwise for the viewer, which is a
+/// negative area as y points down.
 fn is_front(outline: &[[f64; 2]]) -> bool {
-    let area: f64 = (2..outline.len())
-        .map(|i| doubled_area([outline[0], outline[i - 1], outline[i]]))
-        .sum();
+    let area: f64 =
+        (2..outline.len()).map(|i| doubled_area([outline[0], outline[i - 1], outline[i]])).sum();
     area < 0.0
 }
 
@@ -85,24 +82,12 @@ mod tests {
     use super::*;
 
     const SIZE: (usize, usize) = (48, 32);
-    const VIEWPORT: Viewport = Viewport {
-        x: 0.0,
-        y: 0.0,
-        width: 48.0,
-        height: 32.0,
-    };
-    const PERSPECTIVE: Projection = Projection::Perspective {
-        focal_length_px: 30.0,
-        near: 0.5,
-        far: 40.0,
-    };
+    const VIEWPORT: Viewport = Viewport { x: 0.0, y: 0.0, width: 48.0, height: 32.0 };
+    const PERSPECTIVE: Projection =
+        Projection::Perspective { focal_length_px: 30.0, near: 0.5, far: 40.0 };
     const DARK_RED: [f64; 3] = [120.0, 40.0, 20.0];
     /// Light from +z; a normal (x, y, z) of unit length has the level 0.25 + 0.5 z.
-    const LIGHT: Light = Light {
-        toward: [0.0, 0.0, 1.0],
-        ambient: 0.25,
-        diffuse: 0.5,
-    };
+    const LIGHT: Light = Light { toward: [0.0, 0.0, 1.0], ambient: 0.25, diffuse: 0.5 };
 
     /// At the origin, looking along -z.
     fn camera(projection: Projection) -> Camera {
@@ -115,7 +100,8 @@ mod tests {
         }
     }
 
-    /// A mesh without shared vertices, all of one color, with the levels of `LIGHT` given for each corner.
+    /// A mesh without shared vertices, all of one color, with the levels of `LIGHT` given for each
+    /// corner.
     fn mesh(triangles: &[[[f64; 3]; 3]], levels: &[[f64; 3]]) -> Mesh {
         let normal = |level: f64| {
             let z = (level - 0.25) / 0.5;
@@ -142,14 +128,16 @@ mod tests {
         (0..SIZE.1).flat_map(|y| (0..SIZE.0).map(move |x| (x, y)))
     }
 
-    /// Draws random triangles on all sides of random cameras and compares each pixel and triangle with its ray. Returns
-    /// the number of fragments, and of triangles that cross the near plane and that cross the far plane.
+    /// Draws random triangles on all sides of random cameras and compares each pixel and triangle
+    /// with its ray. Returns the number of fragments, and of triangles that cross the near
+    /// plane and that cross the far plane.
     fn compare_with_rays(projection: Projection, culling: Culling, seed: u64) -> [usize; 3] {
-        // An edge or plane may pass a centre at less than the rounding, where both answers are right; and a surface
-        // seen nearly edge-on multiplies the rounding of its distance.
+        // An edge or plane may pass a centre at less than the rounding, where both answers are
+        // right; and a surface seen nearly edge-on multiplies the rounding of its distance.
         const MARGIN: f64 = 1e-9;
-        // Coordinates around 10 round at 2e-15, and a thin triangle multiplies that by its length over its width. A
-        // level comes from a division by the depth and inherits its error in proportion.
+        // Coordinates around 10 round at 2e-15, and a thin triangle multiplies that by its length
+        // over its width. A level comes from a division by the depth and inherits its error
+        // in proportion.
         const TOLERANCE: f64 = 1e-11;
         let mut random = Random(seed);
         let mut vector = |reach: f64| [(); 3].map(|()| random.real(-reach, reach));
@@ -162,37 +150,42 @@ mod tests {
                 up: vector(1.0),
                 ..camera(projection)
             };
-            let triangles: Vec<_> = (0..60).map(|_| [vector(12.0), vector(12.0), vector(12.0)]).collect();
+            let triangles: Vec<_> =
+                (0..60).map(|_| [vector(12.0), vector(12.0), vector(12.0)]).collect();
             let levels: Vec<_> = (0..60).map(|_| vector(0.25).map(|level| 0.5 + level)).collect();
             let picture = draw(&camera, &mesh(&triangles, &levels), Shading::Gouraud, culling);
             let forward = unit(add(camera.target, camera.eye, -1.0));
             for triangle in &triangles {
-                let distances = triangle.map(|corner| product(forward, add(corner, camera.eye, -1.0)));
-                let crosses = |plane: f64| distances.iter().any(|&d| d < plane) && distances.iter().any(|&d| d > plane);
+                let distances =
+                    triangle.map(|corner| product(forward, add(corner, camera.eye, -1.0)));
+                let crosses = |plane: f64| {
+                    distances.iter().any(|&d| d < plane) && distances.iter().any(|&d| d > plane)
+                };
                 tally[1] += usize::from(crosses(near));
                 tally[2] += usize::from(crosses(far));
             }
             for (x, y) in pixels() {
                 let mut drawn = picture.fragments(x, y).iter().peekable();
                 for (number, (triangle, levels)) in (0..).zip(triangles.iter().zip(&levels)) {
-                    let Hit {
-                        distance,
-                        weights,
-                        determinant,
-                    } = Ray::through(&camera, x, y).hit(*triangle);
+                    let Hit { distance, weights, determinant } =
+                        Ray::through(&camera, x, y).hit(*triangle);
                     let fragment = drawn.next_if(|fragment| fragment.triangle == number);
                     let smallest = weights.into_iter().fold(f64::INFINITY, f64::min);
                     let margins = [smallest, distance - near, far - distance];
-                    if margins.iter().any(|margin| margin.abs() < MARGIN) || determinant.abs() < MARGIN {
+                    if margins.iter().any(|margin| margin.abs() < MARGIN)
+                        || determinant.abs() < MARGIN
+                    {
                         continue;
                     }
-                    let is_hit =
-                        margins.iter().all(|&margin| margin > 0.0) && (culling == Culling::None || determinant > 0.0);
+                    let is_hit = margins.iter().all(|&margin| margin > 0.0)
+                        && (culling == Culling::None || determinant > 0.0);
                     assert_eq!(fragment.is_some(), is_hit, "({x}, {y}), {triangle:?}, {camera:?}");
                     let Some(fragment) = fragment else { continue };
                     tally[0] += 1;
                     let (depth, w_over_near) = match projection {
-                        Projection::Perspective { .. } => (near / distance, f64::max(distance / near, 1.0)),
+                        Projection::Perspective { .. } => {
+                            (near / distance, f64::max(distance / near, 1.0))
+                        }
                         Projection::Orthographic { .. } => ((far - distance) / (far - near), 1.0),
                     };
                     assert!(
@@ -217,12 +210,9 @@ mod tests {
     #[test]
     fn every_fragment_is_where_its_ray_hits() {
         for (near, far) in [(0.5, 15.0), (4.0, 6.0), (1e-6, 1e3)] {
-            let projection = Projection::Perspective {
-                focal_length_px: 30.0,
-                near,
-                far,
-            };
-            let [fragments, crossing_near, crossing_far] = compare_with_rays(projection, Culling::None, 8);
+            let projection = Projection::Perspective { focal_length_px: 30.0, near, far };
+            let [fragments, crossing_near, crossing_far] =
+                compare_with_rays(projection, Culling::None, 8);
             assert!(fragments > 10_000, "{fragments}");
             assert!(crossing_near > 200, "{crossing_near}");
             assert!(crossing_far > 50 || far > 100.0, "{crossing_far}");
@@ -231,29 +221,18 @@ mod tests {
 
     #[test]
     fn every_orthographic_fragment_is_where_its_ray_hits() {
-        let projection = Projection::Orthographic {
-            pixels_per_unit: 3.0,
-            near: -2.0,
-            far: 8.0,
-        };
-        let [fragments, crossing_near, crossing_far] = compare_with_rays(projection, Culling::None, 9);
+        let projection = Projection::Orthographic { pixels_per_unit: 3.0, near: -2.0, far: 8.0 };
+        let [fragments, crossing_near, crossing_far] =
+            compare_with_rays(projection, Culling::None, 9);
         assert!(fragments > 10_000, "{fragments}");
-        assert!(
-            crossing_near > 200 && crossing_far > 200,
-            "{crossing_near} {crossing_far}"
-        );
+        assert!(crossing_near > 200 && crossing_far > 200, "{crossing_near} {crossing_far}");
     }
 
     #[test]
     fn culling_keeps_the_faces_whose_rays_come_from_the_front() {
-        for projection in [
-            PERSPECTIVE,
-            Projection::Orthographic {
-                pixels_per_unit: 3.0,
-                near: -2.0,
-                far: 8.0,
-            },
-        ] {
+        for projection in
+            [PERSPECTIVE, Projection::Orthographic { pixels_per_unit: 3.0, near: -2.0, far: 8.0 }]
+        {
             let [fragments, crossing_near, _] = compare_with_rays(projection, Culling::Back, 10);
             assert!(fragments > 5_000 && crossing_near > 200, "{fragments} {crossing_near}");
         }
@@ -266,11 +245,7 @@ mod tests {
         let both = mesh(&[front, back], &[[0.5; 3]; 2]);
         let numbers = |culling| -> Vec<u32> {
             let picture = draw(&camera(PERSPECTIVE), &both, Shading::Flat, culling);
-            picture
-                .fragments(24, 16)
-                .iter()
-                .map(|fragment| fragment.triangle)
-                .collect()
+            picture.fragments(24, 16).iter().map(|fragment| fragment.triangle).collect()
         };
         assert_eq!(numbers(Culling::Back), [0]);
         assert_eq!(numbers(Culling::None), [0, 1]);
@@ -278,30 +253,21 @@ mod tests {
 
     #[test]
     fn the_ground_reaches_from_the_near_plane_to_the_far_plane() {
-        // A camera 1.5 above the plane y = 0 that looks along -z. The ray through the row at height h pixels below the
-        // middle falls by h / 30 per unit of distance and meets the ground at the distance 45 / h.
-        let camera = Camera {
-            eye: [0.0, 1.5, 0.0],
-            target: [0.0, 1.5, -1.0],
-            ..camera(PERSPECTIVE)
-        };
+        // A camera 1.5 above the plane y = 0 that looks along -z. The ray through the row at height
+        // h pixels below the middle falls by h / 30 per unit of distance and meets the
+        // ground at the distance 45 / h.
+        let camera =
+            Camera { eye: [0.0, 1.5, 0.0], target: [0.0, 1.5, -1.0], ..camera(PERSPECTIVE) };
         let (left, right) = (-1e4, 1e4);
-        let ground = quad([
-            [left, 0.0, 100.0],
-            [right, 0.0, 100.0],
-            [right, 0.0, -1e4],
-            [left, 0.0, -1e4],
-        ]);
+        let ground =
+            quad([[left, 0.0, 100.0], [right, 0.0, 100.0], [right, 0.0, -1e4], [left, 0.0, -1e4]]);
         for (near, far) in [(0.5, 40.0), (4.0, 20.0)] {
             let camera = Camera {
-                projection: Projection::Perspective {
-                    focal_length_px: 30.0,
-                    near,
-                    far,
-                },
+                projection: Projection::Perspective { focal_length_px: 30.0, near, far },
                 ..camera
             };
-            let picture = draw(&camera, &mesh(&ground, &[[0.5; 3]; 2]), Shading::Flat, Culling::Back);
+            let picture =
+                draw(&camera, &mesh(&ground, &[[0.5; 3]; 2]), Shading::Flat, Culling::Back);
             for (x, y) in pixels() {
                 let distance = 45.0 / (y as f64 + 0.5 - 16.0);
                 let is_visible = (near..=far).contains(&distance);
@@ -317,21 +283,14 @@ mod tests {
 
     #[test]
     fn light_on_a_receding_wall_is_hyperbolic() {
-        // The wall x = 1 from the distance 1 to 33: the ray of the column c pixels right of the middle meets it at the
-        // distance 30 / c. The level falls evenly from 0.75 to 0.25 along the wall, not along the screen.
-        let wall = quad([
-            [1.0, -9.0, -1.0],
-            [1.0, -9.0, -33.0],
-            [1.0, 9.0, -33.0],
-            [1.0, 9.0, -1.0],
-        ]);
+        // The wall x = 1 from the distance 1 to 33: the ray of the column c pixels right of the
+        // middle meets it at the distance 30 / c. The level falls evenly from 0.75 to 0.25
+        // along the wall, not along the screen.
+        let wall =
+            quad([[1.0, -9.0, -1.0], [1.0, -9.0, -33.0], [1.0, 9.0, -33.0], [1.0, 9.0, -1.0]]);
         let levels = [[0.75, 0.25, 0.25], [0.25, 0.75, 0.75]];
-        let picture = draw(
-            &camera(PERSPECTIVE),
-            &mesh(&wall, &levels),
-            Shading::Gouraud,
-            Culling::None,
-        );
+        let picture =
+            draw(&camera(PERSPECTIVE), &mesh(&wall, &levels), Shading::Gouraud, Culling::None);
         let mut fragments = 0;
         for (x, y) in pixels() {
             let distance = 30.0 / (x as f64 + 0.5 - 24.0);
@@ -350,25 +309,16 @@ mod tests {
 
     #[test]
     fn inside_a_closed_box_every_pixel_sees_one_wall() {
-        // The near plane cuts walls in almost every picture; no new vertex may open a gap or cover a pixel twice.
+        // The near plane cuts walls in almost every picture; no new vertex may open a gap or cover
+        // a pixel twice.
         let corner = |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 1 { 1.0 } else { -1.0 });
-        let faces = [
-            [0, 2, 3, 1],
-            [4, 5, 7, 6],
-            [0, 1, 5, 4],
-            [2, 6, 7, 3],
-            [0, 4, 6, 2],
-            [1, 3, 7, 5],
-        ];
+        let faces =
+            [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let walls = faces.map(|face| quad(face.map(corner))).concat();
         let walls = mesh(&walls, &vec![[0.5; 3]; walls.len()]);
         let mut random = Random(11);
         for near in [0.1, 1e-3, 1e-9] {
-            let projection = Projection::Perspective {
-                focal_length_px: 20.0,
-                near,
-                far: 10.0,
-            };
+            let projection = Projection::Perspective { focal_length_px: 20.0, near, far: 10.0 };
             for _ in 0..50 {
                 let mut vector = |reach: f64| [(); 3].map(|()| random.real(-reach, reach));
                 let camera = Camera {
@@ -415,17 +365,10 @@ mod tests {
 
     #[test]
     fn nothing_is_drawn_outside_the_viewport() {
-        let everywhere = mesh(
-            &[[[-99.0, -99.0, -1.0], [99.0, -99.0, -1.0], [0.0, 99.0, -1.0]]],
-            &[[0.5; 3]],
-        );
+        let everywhere =
+            mesh(&[[[-99.0, -99.0, -1.0], [99.0, -99.0, -1.0], [0.0, 99.0, -1.0]]], &[[0.5; 3]]);
         let camera = Camera {
-            viewport: Viewport {
-                x: 5.0,
-                y: 3.0,
-                width: 20.0,
-                height: 10.0,
-            },
+            viewport: Viewport { x: 5.0, y: 3.0, width: 20.0, height: 10.0 },
             ..camera(PERSPECTIVE)
         };
         let picture = draw(&camera, &everywhere, Shading::Unlit, Culling::Back);
@@ -438,10 +381,7 @@ mod tests {
     #[test]
     fn a_camera_without_axes_and_wild_vertices_draw_nothing() {
         let triangle = [[-9.0, -9.0, -3.0], [9.0, -9.0, -3.0], [0.0, 9.0, -3.0]];
-        let blind = Camera {
-            up: [0.0, 0.0, 1.0],
-            ..camera(PERSPECTIVE)
-        };
+        let blind = Camera { up: [0.0, 0.0, 1.0], ..camera(PERSPECTIVE) };
         let picture = draw(&blind, &mesh(&[triangle], &[[0.5; 3]]), Shading::Flat, Culling::None);
         assert!(pixels().all(|(x, y)| picture.layers(x, y) == 0));
         for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {

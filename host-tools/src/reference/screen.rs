@@ -28,12 +28,13 @@ pub struct ScreenTriangle {
 
 /// Draws triangles, in their order, into a picture of `size` (width, height) pixels.
 ///
-/// **Coverage is exact** for corners at multiples of 1/256 pixel (hence also 1/16) within ±4,096 pixels, and pictures up
-/// to 4,096 pixels wide and high: no operation of the half-plane test is rounded. Against it, a rasterizer's coverage of
-/// the same corners may differ in no pixel. A triangle without area draws nothing.
+/// **Coverage is exact** for corners at multiples of 1/256 pixel (hence also 1/16) within ±4,096
+/// pixels, and pictures up to 4,096 pixels wide and high: no operation of the half-plane test is
+/// rounded. Against it, a rasterizer's coverage of the same corners may differ in no pixel. A
+/// triangle without area draws nothing.
 ///
-/// Depth and level are linear in screen space, so they come in whatever unit the caller gives the vertices. They are
-/// rounded: by some 2^-50 of the largest vertex value.
+/// Depth and level are linear in screen space, so they come in whatever unit the caller gives the
+/// vertices. They are rounded: by some 2^-50 of the largest vertex value.
 ///
 /// # Panics
 ///
@@ -63,17 +64,13 @@ mod tests {
 
     const SIZE: (usize, usize) = (48, 32);
 
-    fn triangle(corners: [[f64; 2]; 3], depth: impl Fn(f64, f64) -> f64, level: f64) -> ScreenTriangle {
-        let vertices = corners.map(|[x, y]| ScreenVertex {
-            x,
-            y,
-            depth: depth(x, y),
-            level,
-        });
-        ScreenTriangle {
-            vertices,
-            color: [200.0, 100.0, 50.0],
-        }
+    fn triangle(
+        corners: [[f64; 2]; 3],
+        depth: impl Fn(f64, f64) -> f64,
+        level: f64,
+    ) -> ScreenTriangle {
+        let vertices = corners.map(|[x, y]| ScreenVertex { x, y, depth: depth(x, y), level });
+        ScreenTriangle { vertices, color: [200.0, 100.0, 50.0] }
     }
 
     #[test]
@@ -83,7 +80,8 @@ mod tests {
         for _ in 0..200 {
             let [base, right, down] = [(); 3].map(|()| random.real(-1.0, 1.0));
             let plane = |x: f64, y: f64| base + right * x + down * y;
-            let corners = [(); 3].map(|()| [(); 2].map(|()| random.snapped(-8.0, 56.0, 1.0 / 16.0)));
+            let corners =
+                [(); 3].map(|()| [(); 2].map(|()| random.snapped(-8.0, 56.0, 1.0 / 16.0)));
             let mut sloped = triangle(corners, plane, 0.0);
             for vertex in &mut sloped.vertices {
                 vertex.level = 2.0 * vertex.depth;
@@ -94,7 +92,8 @@ mod tests {
                     for fragment in picture.fragments(x, y) {
                         fragments += 1;
                         let expected = plane(x as f64 + 0.5, y as f64 + 0.5);
-                        // Values below 128, a dozen roundings of 2^-53 each: 2e-13; the color is 400 times that.
+                        // Values below 128, a dozen roundings of 2^-53 each: 2e-13; the color is
+                        // 400 times that.
                         assert!((fragment.depth - expected).abs() < 2e-13);
                         assert!((fragment.color[0] - 400.0 * expected).abs() < 1e-10);
                         assert!((fragment.color[2] - 100.0 * expected).abs() < 1e-10);
@@ -107,19 +106,10 @@ mod tests {
 
     #[test]
     fn a_level_triangle_has_exactly_the_depth_and_color_of_its_vertices() {
-        let picture = draw_screen(
-            &[triangle([[0.0, 0.0], [40.0, 0.0], [0.0, 30.0]], |_, _| 0.1, 0.7)],
-            SIZE,
-        );
+        let picture =
+            draw_screen(&[triangle([[0.0, 0.0], [40.0, 0.0], [0.0, 30.0]], |_, _| 0.1, 0.7)], SIZE);
         let color = [200.0 * 0.7, 100.0 * 0.7, 50.0 * 0.7];
-        assert_eq!(
-            picture.nearest(5, 5),
-            Some(&Fragment {
-                depth: 0.1,
-                color,
-                triangle: 0
-            })
-        );
+        assert_eq!(picture.nearest(5, 5), Some(&Fragment { depth: 0.1, color, triangle: 0 }));
         assert_eq!(picture.fragments(7, 11), picture.fragments(5, 5));
     }
 
@@ -134,10 +124,7 @@ mod tests {
             fragments.iter().map(|fragment| fragment.triangle).collect::<Vec<_>>(),
             [0, 1, 2, 3]
         );
-        assert_eq!(
-            fragments.iter().map(|fragment| fragment.depth).collect::<Vec<_>>(),
-            depths
-        );
+        assert_eq!(fragments.iter().map(|fragment| fragment.depth).collect::<Vec<_>>(), depths);
         assert_eq!(picture.nearest(3, 4).map(|fragment| fragment.triangle), Some(1));
         assert_eq!(picture.layers(47, 31), 0);
     }
@@ -147,7 +134,8 @@ mod tests {
         let corners = [[3.5, 2.5], [44.0, 11.25], [17.5, 30.5]];
         let turned = [corners[0], corners[2], corners[1]];
         let depth = |x: f64, y: f64| 0.25 + x / 64.0 + y / 128.0;
-        let [one, other] = [corners, turned].map(|corners| draw_screen(&[triangle(corners, depth, 1.0)], SIZE));
+        let [one, other] =
+            [corners, turned].map(|corners| draw_screen(&[triangle(corners, depth, 1.0)], SIZE));
         for y in 0..SIZE.1 {
             for x in 0..SIZE.0 {
                 assert_eq!(one.layers(x, y), other.layers(x, y));

@@ -27,8 +27,9 @@ impl Light {
 pub enum Shading {
     /// One level, of the face normal.
     Flat,
-    /// A level at each vertex, of the vertex normal, and perspective-correct interpolation between them (Gouraud,
-    /// "Continuous shading of curved surfaces", IEEE Transactions on Computers C-20(6), 1971).
+    /// A level at each vertex, of the vertex normal, and perspective-correct interpolation between
+    /// them (Gouraud, "Continuous shading of curved surfaces", IEEE Transactions on Computers
+    /// C-20(6), 1971).
     Gouraud,
     /// Level 1: the triangle's own color.
     Unlit,
@@ -38,11 +39,7 @@ pub enum Shading {
 mod tests {
     use super::*;
 
-    const LIGHT: Light = Light {
-        toward: [0.0, 0.6, 0.8],
-        ambient: 0.25,
-        diffuse: 0.5,
-    };
+    const LIGHT: Light = Light { toward: [0.0, 0.6, 0.8], ambient: 0.25, diffuse: 0.5 };
 
     #[test]
     fn the_level_follows_the_cosine() {
@@ -59,17 +56,9 @@ mod tests {
 
     #[test]
     fn the_level_stays_within_zero_and_one() {
-        let too_bright = Light {
-            ambient: 0.75,
-            diffuse: 0.75,
-            ..LIGHT
-        };
+        let too_bright = Light { ambient: 0.75, diffuse: 0.75, ..LIGHT };
         assert_eq!(too_bright.level(LIGHT.toward), 1.0);
-        let too_dark = Light {
-            ambient: -0.5,
-            diffuse: 0.25,
-            ..LIGHT
-        };
+        let too_dark = Light { ambient: -0.5, diffuse: 0.25, ..LIGHT };
         assert_eq!(too_dark.level(LIGHT.toward), 0.0);
     }
 }

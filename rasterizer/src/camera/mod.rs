@@ -1,8 +1,8 @@
 //! Where the viewer stands and how it sees.
 //!
-//! A [`Camera`] looks along the -z axis of its own space, with y up and x to the right. It carries a projection
-//! ([`Perspective`] or [`Orthographic`]) and a viewport: the rectangle of the display that shows the picture, in pixels
-//! from the display's top-left corner.
+//! A [`Camera`] looks along the -z axis of its own space, with y up and x to the right. It carries
+//! a projection ([`Perspective`] or [`Orthographic`]) and a viewport: the rectangle of the display
+//! that shows the picture, in pixels from the display's top-left corner.
 
 mod projection;
 
@@ -13,7 +13,8 @@ use crate::numbers::{Angle, Rotation, Vec3, cross, unit};
 
 /// The largest width and height of a viewport, in pixels.
 ///
-/// A vertex's place on the screen is kept within 1,024 pixels of the viewport's middle: the guard band.
+/// A vertex's place on the screen is kept within 1,024 pixels of the viewport's middle: the guard
+/// band.
 pub const MAX_VIEWPORT: u32 = 2048;
 
 /// The farthest that a viewport may lie from the display's origin, in pixels.
@@ -43,8 +44,12 @@ impl core::fmt::Display for CameraError {
             Self::Magnification => "the focal length, or the height of the view, must be over 0",
             Self::DepthRange => "the near plane must be over 0 and the far plane beyond it",
             Self::ViewportSize => "the viewport must be 1 to 2048 pixels wide and high",
-            Self::ViewportOffset => "the viewport must lie within 16384 pixels of the display's origin",
-            Self::Direction => "the camera must look at a point other than its own, not along its up direction",
+            Self::ViewportOffset => {
+                "the viewport must lie within 16384 pixels of the display's origin"
+            }
+            Self::Direction => {
+                "the camera must look at a point other than its own, not along its up direction"
+            }
         })
     }
 }
@@ -66,8 +71,15 @@ impl<P> Camera<P> {
     ///
     /// # Errors
     ///
-    /// [`CameraError::Direction`] if that leaves no direction or no upwards, else what is wrong with the viewport.
-    pub fn look_at(eye: Vec3, target: Vec3, up: Vec3, projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
+    /// [`CameraError::Direction`] if that leaves no direction or no upwards, else what is wrong
+    /// with the viewport.
+    pub fn look_at(
+        eye: Vec3,
+        target: Vec3,
+        up: Vec3,
+        projection: P,
+        viewport: Rectangle,
+    ) -> Result<Self, CameraError> {
         let [e, t, up] = [eye, target, up].map(|v| v.to_bits().map(i64::from));
         let forward = unit(core::array::from_fn(|i| t[i] - e[i])).ok_or(CameraError::Direction)?;
         let up = unit(up).ok_or(CameraError::Direction)?;
@@ -85,14 +97,20 @@ impl<P> Camera<P> {
     /// # Errors
     ///
     /// What is wrong with the viewport.
-    pub fn at(eye: Vec3, rotation: Rotation, projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
+    pub fn at(
+        eye: Vec3,
+        rotation: Rotation,
+        projection: P,
+        viewport: Rectangle,
+    ) -> Result<Self, CameraError> {
         // The rotated axes are its columns.
         let [x, y, z] = rotation.to_bits();
         let axes = [[x[0], y[0], z[0]], [-x[1], -y[1], -z[1]], [-x[2], -y[2], -z[2]]];
         Self::new(eye, axes, projection, viewport)
     }
 
-    /// A camera that circles `target` at a distance: `yaw` about the y axis from +z towards +x, `pitch` upwards.
+    /// A camera that circles `target` at a distance: `yaw` about the y axis from +z towards +x,
+    /// `pitch` upwards.
     ///
     /// # Errors
     ///
@@ -110,7 +128,12 @@ impl<P> Camera<P> {
         Self::at(target + rotation * back, rotation, projection, viewport)
     }
 
-    fn new(eye: Vec3, axes: [[i32; 3]; 3], projection: P, viewport: Rectangle) -> Result<Self, CameraError> {
+    fn new(
+        eye: Vec3,
+        axes: [[i32; 3]; 3],
+        projection: P,
+        viewport: Rectangle,
+    ) -> Result<Self, CameraError> {
         let (size, corner) = (viewport.size, viewport.top_left);
         if !(1..=MAX_VIEWPORT).contains(&size.width) || !(1..=MAX_VIEWPORT).contains(&size.height) {
             return Err(CameraError::ViewportSize);
@@ -119,12 +142,7 @@ impl<P> Camera<P> {
         if !offsets.contains(&corner.x) || !offsets.contains(&corner.y) {
             return Err(CameraError::ViewportOffset);
         }
-        Ok(Self {
-            eye,
-            axes,
-            projection,
-            viewport,
-        })
+        Ok(Self { eye, axes, projection, viewport })
     }
 
     /// Where the camera stands.
@@ -157,10 +175,11 @@ mod tests {
 
     use super::*;
 
-    const LENS: Perspective = match Perspective::new(Angle::degrees(90), Distance::lit("0.1"), Distance::lit("10")) {
-        Ok(lens) => lens,
-        Err(_) => panic!(),
-    };
+    const LENS: Perspective =
+        match Perspective::new(Angle::degrees(90), Distance::lit("0.1"), Distance::lit("10")) {
+            Ok(lens) => lens,
+            Err(_) => panic!(),
+        };
 
     fn screen(width: u32, height: u32) -> Rectangle {
         Rectangle::new(Point::zero(), Size::new(width, height))
@@ -168,8 +187,11 @@ mod tests {
 
     #[test]
     fn three_ways_to_the_same_camera() {
-        let at = Camera::at(Vec3::lit("0", "0", "5"), Rotation::IDENTITY, LENS, screen(10, 10)).unwrap();
-        let look = Camera::look_at(Vec3::lit("0", "0", "5"), Vec3::ZERO, Vec3::Y, LENS, screen(10, 10)).unwrap();
+        let at =
+            Camera::at(Vec3::lit("0", "0", "5"), Rotation::IDENTITY, LENS, screen(10, 10)).unwrap();
+        let look =
+            Camera::look_at(Vec3::lit("0", "0", "5"), Vec3::ZERO, Vec3::Y, LENS, screen(10, 10))
+                .unwrap();
         let orbit = Camera::orbit(
             Vec3::ZERO,
             Distance::lit("5"),
@@ -191,15 +213,20 @@ mod tests {
     fn orbit_goes_round_to_the_right_and_up() {
         let quarter = Angle::QUARTER;
         let lens = LENS;
-        let side = Camera::orbit(Vec3::ZERO, Distance::lit("2"), quarter, Angle::ZERO, lens, screen(9, 9)).unwrap();
+        let side =
+            Camera::orbit(Vec3::ZERO, Distance::lit("2"), quarter, Angle::ZERO, lens, screen(9, 9))
+                .unwrap();
         assert_eq!(side.eye(), Vec3::lit("2", "0", "0"));
-        let top = Camera::orbit(Vec3::ZERO, Distance::lit("2"), Angle::ZERO, quarter, lens, screen(9, 9)).unwrap();
+        let top =
+            Camera::orbit(Vec3::ZERO, Distance::lit("2"), Angle::ZERO, quarter, lens, screen(9, 9))
+                .unwrap();
         assert_eq!(top.eye(), Vec3::lit("0", "2", "0"));
     }
 
     #[test]
     fn faults_are_named() {
-        let look = |eye, target, up| Camera::look_at(eye, target, up, LENS, screen(9, 9)).unwrap_err();
+        let look =
+            |eye, target, up| Camera::look_at(eye, target, up, LENS, screen(9, 9)).unwrap_err();
         assert_eq!(look(Vec3::X, Vec3::X, Vec3::Y), CameraError::Direction);
         assert_eq!(look(Vec3::X, Vec3::ZERO, Vec3::ZERO), CameraError::Direction);
         assert_eq!(look(Vec3::ZERO, Vec3::Y, Vec3::Y), CameraError::Direction);

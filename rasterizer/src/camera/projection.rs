@@ -10,7 +10,8 @@ pub type Distance = U16F16;
 
 /// A pinhole camera: what is twice as far away looks half as large.
 ///
-/// Made in a constant, or in a block `const { .. }`, it leaves its divisions to the compiler: 250 bytes less flash.
+/// Made in a constant, or in a block `const { .. }`, it leaves its divisions to the compiler: 250
+/// bytes less flash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Perspective {
     near: Distance,
@@ -29,12 +30,17 @@ enum Focal {
 }
 
 impl Perspective {
-    /// By the angle between the viewport's upper and lower edge, and the distances of the near and far plane.
+    /// By the angle between the viewport's upper and lower edge, and the distances of the near and
+    /// far plane.
     ///
     /// # Errors
     ///
     /// [`CameraError::FieldOfView`] or [`CameraError::DepthRange`].
-    pub const fn new(vertical_field_of_view: Angle, near: Distance, far: Distance) -> Result<Self, CameraError> {
+    pub const fn new(
+        vertical_field_of_view: Angle,
+        near: Distance,
+        far: Distance,
+    ) -> Result<Self, CameraError> {
         let half = vertical_field_of_view.half();
         let (sin, cos) = (half.sin().to_bits() as i64, half.cos().to_bits() as i64);
         if sin <= 0 || cos <= 0 {
@@ -44,12 +50,17 @@ impl Perspective {
         Self::checked(Focal::HalfHeights(cotangent), near, far)
     }
 
-    /// By the focal length in pixels: something of one unit at a distance of one unit appears that large.
+    /// By the focal length in pixels: something of one unit at a distance of one unit appears that
+    /// large.
     ///
     /// # Errors
     ///
     /// [`CameraError::Magnification`] or [`CameraError::DepthRange`].
-    pub const fn with_focal_length(pixels: Distance, near: Distance, far: Distance) -> Result<Self, CameraError> {
+    pub const fn with_focal_length(
+        pixels: Distance,
+        near: Distance,
+        far: Distance,
+    ) -> Result<Self, CameraError> {
         if pixels.to_bits() == 0 {
             return Err(CameraError::Magnification);
         }
@@ -86,7 +97,9 @@ impl Perspective {
     /// The focal length in pixels.
     pub(crate) const fn focal_length(&self, viewport_height: u32) -> Float {
         match self.focal {
-            Focal::HalfHeights(cotangent) => cotangent.times(Float::new(viewport_height as i64, -1)),
+            Focal::HalfHeights(cotangent) => {
+                cotangent.times(Float::new(viewport_height as i64, -1))
+            }
             Focal::Pixels(pixels) => pixels,
         }
     }
@@ -172,10 +185,7 @@ mod tests {
             let lens = Perspective::new(Angle::degrees(degrees), NEAR, FAR).unwrap();
             let want = 120.0 / (f64::from(degrees).to_radians() / 2.0).tan();
             // The sine of half a degree has 23 significant bits.
-            assert!(
-                (pixels(lens, 240) / want - 1.0).abs() < 2f64.powi(-20),
-                "{degrees} degrees"
-            );
+            assert!((pixels(lens, 240) / want - 1.0).abs() < 2f64.powi(-20), "{degrees} degrees");
         }
         let lens = Perspective::with_focal_length(Distance::lit("400"), NEAR, FAR).unwrap();
         assert_eq!(pixels(lens, 240), 400.0);
@@ -187,14 +197,12 @@ mod tests {
         assert_eq!(field(Angle::ZERO), CameraError::FieldOfView);
         assert_eq!(field(Angle::degrees(180)), CameraError::FieldOfView);
         assert_eq!(field(Angle::degrees(270)), CameraError::FieldOfView);
-        let focal = |pixels, near, far| Perspective::with_focal_length(pixels, near, far).unwrap_err();
+        let focal =
+            |pixels, near, far| Perspective::with_focal_length(pixels, near, far).unwrap_err();
         assert_eq!(focal(Distance::ZERO, NEAR, FAR), CameraError::Magnification);
         assert_eq!(focal(FAR, Distance::ZERO, FAR), CameraError::DepthRange);
         assert_eq!(focal(FAR, NEAR, NEAR), CameraError::DepthRange);
-        assert_eq!(
-            Orthographic::new(Distance::ZERO, NEAR, FAR),
-            Err(CameraError::Magnification)
-        );
+        assert_eq!(Orthographic::new(Distance::ZERO, NEAR, FAR), Err(CameraError::Magnification));
         assert_eq!(Orthographic::new(FAR, FAR, NEAR), Err(CameraError::DepthRange));
     }
 }

@@ -2,12 +2,14 @@
 
 /// A number at a vertex that is interpolated over a triangle.
 ///
-/// How it is stored decides how it is interpolated: 16 bits in 32-bit steps, 32 bits in 64-bit steps.
+/// How it is stored decides how it is interpolated: 16 bits in 32-bit steps, 32 bits in 64-bit
+/// steps.
 pub trait Attribute: Copy + Default {
     /// The value for a vertex that has none yet.
     const ZERO: Self;
 
-    /// The value at `t` / 2<sup>30</sup> of the way from this to `other`, rounded; `t` is at most 2<sup>30</sup>.
+    /// The value at `t` / 2<sup>30</sup> of the way from this to `other`, rounded; `t` is at most
+    /// 2<sup>30</sup>.
     #[must_use]
     fn lerp(self, other: Self, t: u32) -> Self;
 }
@@ -55,11 +57,11 @@ impl<A: Attribute, const N: usize> Varyings for [A; N] {
 
 /// How depth is stored: `u16`, `u32`, or not at all.
 ///
-/// Depth is near / w (in a parallel projection the remaining part of the way to the far plane): 1 on the near plane,
-/// larger is nearer, and a buffer is cleared to 0. It is linear in screen space.
+/// Depth is near / w (in a parallel projection the remaining part of the way to the far plane): 1
+/// on the near plane, larger is nearer, and a buffer is cleared to 0. It is linear in screen space.
 pub trait DepthFormat: Attribute {
-    /// The depth of a vertex from Q0.32. It is never 0, so that everything in front of the far plane wins against a
-    /// cleared buffer.
+    /// The depth of a vertex from Q0.32. It is never 0, so that everything in front of the far
+    /// plane wins against a cleared buffer.
     fn from_fraction(q32: u32) -> Self;
 }
 
@@ -73,8 +75,9 @@ impl DepthFormat for u16 {
     }
 }
 
-/// Units of 2<sup>-32</sup>; 1 is stored as 2<sup>32</sup> - 1. The reciprocal behind a vertex's depth is within
-/// 2<sup>-27</sup> of it, so that the last five bits tell neighbouring pixels of one surface apart, not two surfaces.
+/// Units of 2<sup>-32</sup>; 1 is stored as 2<sup>32</sup> - 1. The reciprocal behind a vertex's
+/// depth is within 2<sup>-27</sup> of it, so that the last five bits tell neighbouring pixels of
+/// one surface apart, not two surfaces.
 impl DepthFormat for u32 {
     #[inline(always)]
     fn from_fraction(q32: u32) -> Self {

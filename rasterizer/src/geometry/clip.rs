@@ -1,8 +1,9 @@
 //! Clipping of triangles that reach beyond the near plane, the far plane or the guard band.
 //!
-//! Sutherland and Hodgman's reentrant clipping (CACM 17(1), 1974) in clip space, where the planes are linear whatever the
-//! sign of w. A new vertex is worked out from the inside towards the outside, so that two triangles that share an edge
-//! get the identical one, and then put exactly onto the plane.
+//! Sutherland and Hodgman's reentrant clipping (CACM 17(1), 1974) in clip space, where the planes
+//! are linear whatever the sign of w. A new vertex is worked out from the inside towards the
+//! outside, so that two triangles that share an edge get the identical one, and then put exactly
+//! onto the plane.
 
 use heapless::Vec;
 
@@ -28,17 +29,12 @@ enum Plane {
 }
 
 /// The near plane comes first: behind it all w are positive.
-const PLANES: [Plane; 6] = [
-    Plane::Near,
-    Plane::Far,
-    Plane::Left,
-    Plane::Right,
-    Plane::Top,
-    Plane::Bottom,
-];
+const PLANES: [Plane; 6] =
+    [Plane::Near, Plane::Far, Plane::Left, Plane::Right, Plane::Top, Plane::Bottom];
 
 impl Plane {
-    /// How far inside the plane a vertex lies, in some unit; negative outside. No coordinate reaches 2^30.
+    /// How far inside the plane a vertex lies, in some unit; negative outside. No coordinate
+    /// reaches 2^30.
     #[inline(never)]
     fn distance<P: Projection, V>(self, vertex: &ClipVertex<V>, transform: &Transform<P>) -> i32 {
         let ClipVertex { x, y, z, .. } = *vertex;
@@ -67,7 +63,8 @@ impl Plane {
     }
 }
 
-/// Hands over what is left of a triangle: the corners of a convex polygon, in the triangle's order, or none.
+/// Hands over what is left of a triangle: the corners of a convex polygon, in the triangle's order,
+/// or none.
 #[inline(always)]
 pub(crate) fn clip<P: Projection, V: Varyings>(
     triangle: impl IntoIterator<Item = ClipVertex<V>>,
@@ -143,7 +140,12 @@ mod tests {
     };
 
     fn transform() -> Transform<Perspective> {
-        let lens = Perspective::with_focal_length(Distance::lit("100"), Distance::ONE, Distance::lit("20")).unwrap();
+        let lens = Perspective::with_focal_length(
+            Distance::lit("100"),
+            Distance::ONE,
+            Distance::lit("20"),
+        )
+        .unwrap();
         let viewport = Rectangle::new(Point::zero(), Size::new(64, 64));
         let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, viewport).unwrap();
         let tables = Tables {
@@ -187,9 +189,11 @@ mod tests {
     #[test]
     fn a_triangle_inside_is_left_alone_and_one_outside_vanishes() {
         let transform = transform();
-        let inside = [[-100, 0, -3000], [100, 0, -3000], [0, 90, -4000]].map(|p| vertex(&transform, p));
+        let inside =
+            [[-100, 0, -3000], [100, 0, -3000], [0, 90, -4000]].map(|p| vertex(&transform, p));
         assert_eq!(polygon(inside, &transform).as_slice(), inside);
-        let behind = [[-100, 0, 3000], [100, 0, 3000], [0, 90, 4000]].map(|p| vertex(&transform, p));
+        let behind =
+            [[-100, 0, 3000], [100, 0, 3000], [0, 90, 4000]].map(|p| vertex(&transform, p));
         assert!(polygon(behind, &transform).is_empty());
     }
 
@@ -212,14 +216,16 @@ mod tests {
         assert!(largest >= 6, "no triangle met several planes");
     }
 
-    /// The corners on an edge are the same whichever triangle it belongs to and whichever way it runs.
+    /// The corners on an edge are the same whichever triangle it belongs to and whichever way it
+    /// runs.
     #[test]
     fn a_shared_edge_is_cut_alike() {
         let transform = transform();
         let mut state = 7;
         let mut cut = 0;
         for _ in 0..20_000 {
-            let [a, b, c, d] = [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
+            let [a, b, c, d] =
+                [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
             let left = polygon([a, b, c], &transform);
             let right = polygon([b, a, d], &transform);
             // The edge alone, as the degenerate triangle that runs there and back.

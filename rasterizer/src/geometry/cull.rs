@@ -2,8 +2,9 @@
 
 /// Which triangles are left out, by the side that they turn to the viewer.
 ///
-/// The side is decided on the snapped vertices, by the sign of the area that is drawn (Direct3D 11 functional
-/// specification 15.6.1), so that a triangle that snapping turned over counts as what it is on the screen.
+/// The side is decided on the snapped vertices, by the sign of the area that is drawn (Direct3D 11
+/// functional specification 15.6.1), so that a triangle that snapping turned over counts as what it
+/// is on the screen.
 pub trait Culling: Copy + Default {
     /// Whether triangles whose corners run counter-clockwise on the screen are drawn.
     const FRONT: bool;

@@ -8,9 +8,9 @@
 //!   screen            i32 sub-pixels from the display's top-left corner, depth, varyings (ScreenVertex)
 //! ```
 //!
-//! A vertex outside the near plane, the far plane or the guard band has no place on the screen; triangles that touch it
-//! go back to clip space and are cut there (clip). All other triangles are never clipped: what lies beyond the viewport
-//! costs the rasterizer nothing.
+//! A vertex outside the near plane, the far plane or the guard band has no place on the screen;
+//! triangles that touch it go back to clip space and are cut there (clip). All other triangles are
+//! never clipped: what lies beyond the viewport costs the rasterizer nothing.
 
 mod attribute;
 mod clip;

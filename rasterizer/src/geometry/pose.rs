@@ -5,7 +5,8 @@ use crate::{
     numbers::{Rotation, Vec3},
 };
 
-/// Size, direction and place of an object: a point p of the model lies at `translation + rotation * (scale * p)`.
+/// Size, direction and place of an object: a point p of the model lies at `translation + rotation *
+/// (scale * p)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pose {
     /// How the model is turned.
@@ -18,19 +19,13 @@ pub struct Pose {
 
 impl Pose {
     /// As modelled, at the origin.
-    pub const IDENTITY: Self = Self {
-        rotation: Rotation::IDENTITY,
-        translation: Vec3::ZERO,
-        scale: Distance::ONE,
-    };
+    pub const IDENTITY: Self =
+        Self { rotation: Rotation::IDENTITY, translation: Vec3::ZERO, scale: Distance::ONE };
 
     /// At the origin, turned.
     #[must_use]
     pub const fn rotated(rotation: Rotation) -> Self {
-        Self {
-            rotation,
-            ..Self::IDENTITY
-        }
+        Self { rotation, ..Self::IDENTITY }
     }
 
     /// The same pose elsewhere.
@@ -52,9 +47,10 @@ impl Default for Pose {
     }
 }
 
-/// An object too large or too far away for the numbers of a parallel projection: some 2<sup>30</sup> times wider, or farther
-/// away, than the guard band. Long before, its place loses precision: it is known to 2<sup>-27</sup> of the largest of its
-/// distance from the camera, its model's from its own origin, and how far across it lies in guard bands.
+/// An object too large or too far away for the numbers of a parallel projection: some
+/// 2<sup>30</sup> times wider, or farther away, than the guard band. Long before, its place loses
+/// precision: it is known to 2<sup>-27</sup> of the largest of its distance from the camera, its
+/// model's from its own origin, and how far across it lies in guard bands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PoseError;
 

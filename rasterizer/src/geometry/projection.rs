@@ -22,8 +22,8 @@ pub trait Sealed {
     /// The near distance in these units, at least 1, and the far distance, both at most 2^30.
     fn depth_range(&self, units: Units) -> [i32; 2];
 
-    /// The units of clip space, as exponents of 2, for an object whose x and y (as multiples of the guard band at
-    /// w = 1) and z lie below 2^`xy` and 2^`z`.
+    /// The units of clip space, as exponents of 2, for an object whose x and y (as multiples of the
+    /// guard band at w = 1) and z lie below 2^`xy` and 2^`z`.
     fn units(&self, xy: i32, z: i32) -> Units;
 
     /// The lens for these units.
@@ -71,11 +71,9 @@ impl Sealed for Perspective {
 
     fn depth_range(&self, units: Units) -> [i32; 2] {
         let PerspectiveLens { down } = self.lens(units);
-        // The near distance is one: 2^(30 - down) units. Where 2^30 are less than that, all of the object lies before it.
-        [
-            BEYOND >> down.min(30),
-            self.far_per_near().in_units_of(units.z).min(BEYOND),
-        ]
+        // The near distance is one: 2^(30 - down) units. Where 2^30 are less than that, all of the
+        // object lies before it.
+        [BEYOND >> down.min(30), self.far_per_near().in_units_of(units.z).min(BEYOND)]
     }
 
     /// w is z, so that all three have the same unit.
@@ -85,16 +83,15 @@ impl Sealed for Perspective {
     }
 
     fn lens(&self, units: Units) -> PerspectiveLens {
-        PerspectiveLens {
-            down: (30 + units.z).max(0).unsigned_abs(),
-        }
+        PerspectiveLens { down: (30 + units.z).max(0).unsigned_abs() }
     }
 }
 
 /// w = z; depth = near / z.
 #[derive(Clone, Copy, Debug)]
 pub struct PerspectiveLens {
-    /// The leading zeros of twice the near distance, or what they would be if it is less than a unit.
+    /// The leading zeros of twice the near distance, or what they would be if it is less than a
+    /// unit.
     down: u32,
 }
 
@@ -115,7 +112,8 @@ impl Lens for PerspectiveLens {
 
     #[inline(always)]
     fn depth(&self, _: i32, reciprocal: Reciprocal) -> u32 {
-        // near / z = 2^(30 - down) r 2^(leading_zeros - 61), times 2^32. No z has more leading zeros than the near plane.
+        // near / z = 2^(30 - down) r 2^(leading_zeros - 61), times 2^32. No z has more leading
+        // zeros than the near plane.
         let down = self.down - reciprocal.leading_zeros;
         ((reciprocal.mantissa as u32) << 1) >> down.min(31)
     }
@@ -129,10 +127,12 @@ impl Sealed for Orthographic {
     }
 
     fn depth_range(&self, units: Units) -> [i32; 2] {
-        [self.near(), self.far()].map(|d| Float::from_unsigned(d).in_units_of(units.z).clamp(1, BEYOND))
+        [self.near(), self.far()]
+            .map(|d| Float::from_unsigned(d).in_units_of(units.z).clamp(1, BEYOND))
     }
 
-    /// w = 1 is a whole number of units unless the object is too large, and the far plane can be named in z.
+    /// w = 1 is a whole number of units unless the object is too large, and the far plane can be
+    /// named in z.
     fn units(&self, xy: i32, z: i32) -> Units {
         let far = Float::from_unsigned(self.far());
         Units {

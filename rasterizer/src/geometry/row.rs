@@ -1,4 +1,5 @@
-//! The rows of the matrix from object space to clip space: what is worked out once a frame, and what each vertex takes.
+//! The rows of the matrix from object space to clip space: what is worked out once a frame, and
+//! what each vertex takes.
 
 use super::Pose;
 use crate::{
@@ -8,8 +9,9 @@ use crate::{
 
 /// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
 ///
-/// Its entries have 14 bits behind the point of a clip-space unit, and are below 2^29. Where there is no long multiply they
-/// are kept as `high * 2^14 + low`: with positions of 16 bits all products and their sums fit 32 then.
+/// Its entries have 14 bits behind the point of a clip-space unit, and are below 2^29. Where there
+/// is no long multiply they are kept as `high * 2^14 + low`: with positions of 16 bits all products
+/// and their sums fit 32 then.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
     /// The entries with 16 bits behind the point, or their upper and their lower parts.
@@ -23,10 +25,8 @@ impl<const PARTS: usize> Row<PARTS> {
     /// The row's terms in units of 2^`unit`.
     #[inline(never)]
     pub(super) fn new(terms: &Terms, unit: i32) -> Self {
-        let mut row = Self {
-            entries: [[0; 3]; PARTS],
-            translation: terms.translation.in_units_of(unit),
-        };
+        let mut row =
+            Self { entries: [[0; 3]; PARTS], translation: terms.translation.in_units_of(unit) };
         for (column, term) in terms.reaches.iter().enumerate() {
             // For a quantum, a 2^15th of the reach.
             let entry = term.in_units_of(unit + 15 - FRACTION_BITS as i32);
@@ -45,11 +45,13 @@ impl<const PARTS: usize> Row<PARTS> {
     /// ⌊entries . p⌋ + translation, exactly.
     #[inline(always)]
     pub(super) fn apply(&self, p: [i32; 3]) -> i32 {
-        let product = |entries: &[i32; 3]| entries[0] * p[0] + entries[1] * p[1] + entries[2] * p[2];
+        let product =
+            |entries: &[i32; 3]| entries[0] * p[0] + entries[1] * p[1] + entries[2] * p[2];
         let sum = match self.entries.as_slice() {
             [whole] => {
                 // With 16 bits each behind the point, the integer is the upper word.
-                let [x, y, z] = core::array::from_fn(|i| i64::from(whole[i]) * i64::from(p[i] << 16));
+                let [x, y, z] =
+                    core::array::from_fn(|i| i64::from(whole[i]) * i64::from(p[i] << 16));
                 ((x + y + z) >> 32) as i32
             }
             [high, low] => product(high) + (product(low) >> FRACTION_BITS),
@@ -70,9 +72,16 @@ pub(super) struct Terms {
 impl Terms {
     /// Along an axis of the camera, of which a world unit is so long in clip space.
     ///
-    /// Like the rest of what makes a matrix, it is called rather than inlined: for each of three rows, once a frame.
+    /// Like the rest of what makes a matrix, it is called rather than inlined: for each of three
+    /// rows, once a frame.
     #[inline(never)]
-    pub(super) fn new(axis: &[i32; 3], magnification: Float, eye: &Vec3, pose: &Pose, tables: &Tables<'_>) -> Self {
+    pub(super) fn new(
+        axis: &[i32; 3],
+        magnification: Float,
+        eye: &Vec3,
+        pose: &Pose,
+        tables: &Tables<'_>,
+    ) -> Self {
         let direction = pose.rotation.turn_back(axis);
         let scale = Float::from_unsigned(pose.scale);
         let offset = Float::new(tables.offset.along(&direction), -46).times(scale);
@@ -90,17 +99,14 @@ impl Terms {
     /// The least n for which a coordinate stays below 2^n.
     #[inline(never)]
     pub(super) fn magnitude(&self) -> i32 {
-        // Added up in a unit in which none of the four reaches 2^28, with what rounding takes off them.
-        let most = self
-            .reaches
-            .iter()
-            .fold(self.translation.exponent, |most, m| most.max(m.exponent));
+        // Added up in a unit in which none of the four reaches 2^28, with what rounding takes off
+        // them.
+        let most =
+            self.reaches.iter().fold(self.translation.exponent, |most, m| most.max(m.exponent));
         let unit = most + 31 - 28;
         let at_most = |m: Float| m.in_units_of(unit).unsigned_abs();
-        let sum = self
-            .reaches
-            .iter()
-            .fold(at_most(self.translation) + 4, |sum, &m| sum + at_most(m));
+        let sum =
+            self.reaches.iter().fold(at_most(self.translation) + 4, |sum, &m| sum + at_most(m));
         let (_, leading_zeros) = normalised(sum);
         unit + 32 - leading_zeros as i32
     }

@@ -6,8 +6,8 @@ use super::{DepthFormat, Varyings};
 
 /// How finely a vertex's place on the screen is resolved.
 ///
-/// The choice is between [`S4`], whose set-up needs no 64-bit arithmetic, and [`S8`], the precision of Direct3D 11
-/// (functional specification 3.2.4.1). What a pixel costs is the same.
+/// The choice is between [`S4`], whose set-up needs no 64-bit arithmetic, and [`S8`], the precision
+/// of Direct3D 11 (functional specification 3.2.4.1). What a pixel costs is the same.
 pub trait Subpixel: Copy + Default + private::Sealed {
     /// The binary digits behind the point of a pixel coordinate.
     const BITS: u32;
@@ -19,7 +19,8 @@ mod private {
     impl Sealed for super::S8 {}
 }
 
-/// Sixteenths of a pixel: a vertex is off by at most 1/32 pixel in x and y. For cores without a long multiply.
+/// Sixteenths of a pixel: a vertex is off by at most 1/32 pixel in x and y. For cores without a
+/// long multiply.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct S4;
 
@@ -59,8 +60,9 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
         Self::new(i32::MIN, 0, D::ZERO, varyings)
     }
 
-    /// From its coordinates in sub-pixels from the display's top-left corner; nothing unless they lie within
-    /// -1,024 <= x, y < 1,024 pixels, which is what [`Triangle`](crate::raster::Triangle) is exact for.
+    /// From its coordinates in sub-pixels from the display's top-left corner; nothing unless they
+    /// lie within -1,024 <= x, y < 1,024 pixels, which is what
+    /// [`Triangle`](crate::raster::Triangle) is exact for.
     #[must_use]
     pub const fn checked(x: i32, y: i32, depth: D, varyings: V) -> Option<Self> {
         let limit = 1 << (GUARD_BITS + S::BITS);
@@ -74,13 +76,7 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
     /// From its coordinates in sub-pixels.
     #[inline(always)]
     pub(crate) const fn new(x: i32, y: i32, depth: D, varyings: V) -> Self {
-        Self {
-            x,
-            y,
-            depth,
-            varyings,
-            precision: PhantomData,
-        }
+        Self { x, y, depth, varyings, precision: PhantomData }
     }
 
     /// Whether it lies within near plane, far plane and guard band.
@@ -89,14 +85,11 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
         self.x != i32::MIN
     }
 
-    /// Its coordinates in sub-pixels, or nothing if it lies outside near plane, far plane or guard band.
+    /// Its coordinates in sub-pixels, or nothing if it lies outside near plane, far plane or guard
+    /// band.
     #[must_use]
     pub const fn position(&self) -> Option<[i32; 2]> {
-        if self.is_on_screen() {
-            Some([self.x, self.y])
-        } else {
-            None
-        }
+        if self.is_on_screen() { Some([self.x, self.y]) } else { None }
     }
 
     /// Its depth.

@@ -14,8 +14,8 @@ use crate::{
 
 /// A point in clip space.
 ///
-/// The units are an object's own, chosen so that no coordinate of a vertex reaches 2^30. `|x| <= w` and `|y| <= w` is
-/// the guard band: w stands for 1,024 pixels, whatever the focal length.
+/// The units are an object's own, chosen so that no coordinate of a vertex reaches 2^30. `|x| <= w`
+/// and `|y| <= w` is the guard band: w stands for 1,024 pixels, whatever the focal length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ClipVertex<V> {
     /// To the right.
@@ -51,7 +51,9 @@ impl<P: Projection> Transform<P> {
         let [mut across, deep] = projection.magnification(viewport.size.height);
         across.exponent -= GUARD_BITS as i32;
         let eye = camera.eye();
-        let terms = |axis: usize, magnification| Terms::new(&camera.axes()[axis], magnification, &eye, pose, tables);
+        let terms = |axis: usize, magnification| {
+            Terms::new(&camera.axes()[axis], magnification, &eye, pose, tables)
+        };
         let (x, y, z) = (terms(0, across), terms(1, across), terms(2, deep));
 
         let units = projection.units(x.magnitude().max(y.magnitude()), z.magnitude());
@@ -68,7 +70,8 @@ impl<P: Projection> Transform<P> {
         }
     }
 
-    /// A copy, field by field: for one of the whole compilers call `memcpy`, 370 bytes where nothing else does.
+    /// A copy, field by field: for one of the whole compilers call `memcpy`, 370 bytes where
+    /// nothing else does.
     #[inline(always)]
     pub(crate) const fn by_parts(&self) -> Self {
         Self {
@@ -82,7 +85,8 @@ impl<P: Projection> Transform<P> {
         }
     }
 
-    /// Whether the object is small enough for the projection's numbers; nothing else can be asked if it isn't.
+    /// Whether the object is small enough for the projection's numbers; nothing else can be asked
+    /// if it isn't.
     pub(crate) fn check(&self) -> Result<(), PoseError> {
         self.lens.is_in_range().then_some(()).ok_or(PoseError)
     }
@@ -92,12 +96,7 @@ impl<P: Projection> Transform<P> {
     pub(crate) fn object_to_clip<V>(&self, position: [i16; 3], varyings: V) -> ClipVertex<V> {
         let [x, y, z] = position;
         let p = [i32::from(x), i32::from(y), i32::from(z)];
-        ClipVertex {
-            x: self.x.apply(p),
-            y: self.y.apply(p),
-            z: self.z.apply(p),
-            varyings,
-        }
+        ClipVertex { x: self.x.apply(p), y: self.y.apply(p), z: self.z.apply(p), varyings }
     }
 
     /// The same where there are few: a function that is called.
@@ -108,8 +107,8 @@ impl<P: Projection> Transform<P> {
         [x, y, z]
     }
 
-    /// Clip space to the screen; the result is not on the screen if the vertex is outside near plane, far plane or
-    /// guard band.
+    /// Clip space to the screen; the result is not on the screen if the vertex is outside near
+    /// plane, far plane or guard band.
     #[inline(always)]
     pub(crate) fn clip_to_screen<S: Subpixel, D: DepthFormat, V: Varyings>(
         &self,
@@ -122,8 +121,9 @@ impl<P: Projection> Transform<P> {
             return ScreenVertex::off_screen(varyings);
         }
         let reciprocal = self.lens.reciprocal_of_twice(w);
-        // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper half has 29 bits behind
-        // the point; 10 + S of them are sub-pixels of the guard band.
+        // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper
+        // half has 29 bits behind the point; 10 + S of them are sub-pixels of the guard
+        // band.
         let to_subpixels = |c: i32, center: i32| {
             let quotient = mul_high(c << reciprocal.leading_zeros, reciprocal.mantissa);
             let drop = 29 - GUARD_BITS - S::BITS;
@@ -139,36 +139,27 @@ impl<P: Projection> Transform<P> {
         )
     }
 
-    /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all its corners beyond one
-    /// and the same plane.
+    /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all
+    /// its corners beyond one and the same plane.
     pub(crate) fn hides(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
         let corners = cuboid.corners();
-        corners
-            .iter()
-            .fold(0b11_1111, |bits, &corner| bits & self.beyond(corner, size))
-            != 0
+        corners.iter().fold(0b11_1111, |bits, &corner| bits & self.beyond(corner, size)) != 0
     }
 
-    /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of its own, as compilers
-    /// repeat it for each corner of a box.
+    /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of
+    /// its own, as compilers repeat it for each corner of a box.
     #[inline(never)]
     pub(crate) fn beyond(&self, position: [i16; 3], [width, height]: [i32; 2]) -> u8 {
         let [x, y, z] = self.few_to_clip(position);
         // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
         let (across, down) = (width / 2 + 2, height / 2 + 2);
-        // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31 as the viewport is no
-        // wider than the guard band. Beyond the near plane it may be negative, and the sides are still planes through the
-        // eye: upwards is outwards there too.
+        // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31
+        // as the viewport is no wider than the guard band. Beyond the near plane it may be
+        // negative, and the sides are still planes through the eye: upwards is outwards
+        // there too.
         let w = (self.lens.w(z) >> GUARD_BITS) + 1;
         let (across, down) = (w * across, w * down);
-        let beyond = [
-            z < self.near,
-            z > self.far,
-            x < -across,
-            x > across,
-            y < -down,
-            y > down,
-        ];
+        let beyond = [z < self.near, z > self.far, x < -across, x > across, y < -down, y > down];
         beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside))
     }
 }
@@ -215,7 +206,8 @@ mod tests {
         (*state >> 48) as i16
     }
 
-    /// The pose and the camera of a case, and view-space coordinates of a position by their definition.
+    /// The pose and the camera of a case, and view-space coordinates of a position by their
+    /// definition.
     struct Case {
         pose: Pose,
         eye: Vec3,
@@ -227,7 +219,8 @@ mod tests {
             let mut angle = || Angle::from_bits((random(state) as u32) << 16 | 0x1234);
             let rotation = Rotation::about_x(angle()) * Rotation::about_y(angle());
             let turn = Rotation::about_z(angle()) * Rotation::about_y(angle());
-            let mut vector = |shift: u32| Vec3::from_bits([0; 3].map(|_| i32::from(random(state)) << shift));
+            let mut vector =
+                |shift: u32| Vec3::from_bits([0; 3].map(|_| i32::from(random(state)) << shift));
             Self {
                 pose: Pose::rotated(turn).at(vector(3)).scaled(U16F16::lit("1.75")),
                 eye: vector(3),
@@ -239,9 +232,13 @@ mod tests {
         fn view(&self, position: [i16; 3]) -> [f64; 3] {
             let numbers = |v: Vec3| v.to_bits().map(|c| f64::from(c) / 65536.0);
             let rows = |r: &Rotation| r.rows().map(|row| row.map(|c| c.to_num::<f64>()));
-            let apply = |m: [[f64; 3]; 3], v: [f64; 3]| m.map(|row| (0..3).map(|k| row[k] * v[k]).sum::<f64>());
+            let apply = |m: [[f64; 3]; 3], v: [f64; 3]| {
+                m.map(|row| (0..3).map(|k| row[k] * v[k]).sum::<f64>())
+            };
             let offset = numbers(Vec3::lit("0.5", "-0.25", "0.125"));
-            let model: [f64; 3] = core::array::from_fn(|i| (offset[i] + f64::from(position[i]) * 3.0 / 65536.0) * 1.75);
+            let model: [f64; 3] = core::array::from_fn(|i| {
+                (offset[i] + f64::from(position[i]) * 3.0 / 65536.0) * 1.75
+            });
             let turned = apply(rows(&self.pose.rotation), model);
             let (at, eye) = (numbers(self.pose.translation), numbers(self.eye));
             let world: [f64; 3] = core::array::from_fn(|i| turned[i] + at[i] - eye[i]);
@@ -255,13 +252,15 @@ mod tests {
         let mut seen = 0;
         for _ in 0..300 {
             let case = Case::random(&mut state);
-            let positions: Vec<[i16; 3]> = (0..20).map(|_| [0; 3].map(|_| random(&mut state))).collect();
+            let positions: Vec<[i16; 3]> =
+                (0..20).map(|_| [0; 3].map(|_| random(&mut state))).collect();
             let camera = Camera::at(case.eye, case.rotation, projection, VIEWPORT).unwrap();
             let transform = Transform::new(&camera, &case.pose, &tables(&positions));
             let mut is_seen = false;
             for &position in &positions {
                 let [right, up, forward] = case.view(position);
-                let vertex = transform.clip_to_screen::<S, u16, [u16; 0]>(transform.object_to_clip(position, []));
+                let vertex = transform
+                    .clip_to_screen::<S, u16, [u16; 0]>(transform.object_to_clip(position, []));
                 let [x, y, depth] = project([right, up, forward]);
                 let Some([got_x, got_y]) = vertex.position() else {
                     // Outside by the definition, or on the boundary within rounding.
@@ -274,7 +273,8 @@ mod tests {
                     continue;
                 };
                 let unit = f64::from(1 << S::BITS);
-                // Half a sub-pixel of snapping; an eighth for the transform's 30 bits and the reciprocal's 27.
+                // Half a sub-pixel of snapping; an eighth for the transform's 30 bits and the
+                // reciprocal's 27.
                 assert!((f64::from(got_x) - x * unit).abs() < 0.625, "x {got_x} {}", x * unit);
                 assert!((f64::from(got_y) - y * unit).abs() < 0.625, "y {got_y} {}", y * unit);
                 let depth = depth * 65536.0;
@@ -301,7 +301,8 @@ mod tests {
     fn rows_in_parts_give_what_whole_rows_give() {
         let mut state = 0x1234_5678_9ABC_DEF1;
         for _ in 0..100_000 {
-            let [x, y, z] = [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -9));
+            let [x, y, z] =
+                [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -9));
             let terms = Terms {
                 reaches: [x, y, z],
                 translation: Float::new(i64::from(random(&mut state)), 10),
@@ -317,11 +318,7 @@ mod tests {
     fn perspective_places_vertices_where_the_definition_does() {
         let lens = Perspective::with_focal_length(U16F16::lit("300"), NEAR, FAR).unwrap();
         let project = |[right, up, forward]: [f64; 3]| {
-            [
-                167.5 + 300.0 * right / forward,
-                115.0 - 300.0 * up / forward,
-                0.25 / forward,
-            ]
+            [167.5 + 300.0 * right / forward, 115.0 - 300.0 * up / forward, 0.25 / forward]
         };
         check::<_, S4>(lens, project);
         check::<_, S8>(lens, project);
@@ -330,8 +327,9 @@ mod tests {
     #[test]
     fn parallel_projection_places_vertices_where_the_definition_does() {
         let lens = Orthographic::new(U16F16::lit("12"), NEAR, FAR).unwrap();
-        let project =
-            |[right, up, forward]: [f64; 3]| [167.5 + 20.0 * right, 115.0 - 20.0 * up, (50.0 - forward) / 49.75];
+        let project = |[right, up, forward]: [f64; 3]| {
+            [167.5 + 20.0 * right, 115.0 - 20.0 * up, (50.0 - forward) / 49.75]
+        };
         check::<_, S4>(lens, project);
         check::<_, S8>(lens, project);
     }
@@ -372,7 +370,8 @@ mod tests {
             let transform = Transform::new(&camera(eye, lens), &pose, &far_off);
             assert_eq!(transform.check(), Ok(()));
             let ClipVertex { x, y, z, .. } = transform.object_to_clip([0; 3], ());
-            // Along (1, 1, 1): down is -y, away -z, and 120 / tan(30 degrees) = 207.8 pixels of 1,024 are a unit.
+            // Along (1, 1, 1): down is -y, away -z, and 120 / tan(30 degrees) = 207.8 pixels of
+            // 1,024 are a unit.
             let away = f64::from(z);
             assert!(away.abs() > f64::from(1 << 27) && (away < 0.0) == (offset > 0), "{z}");
             for (c, sign) in [(x, -1.0), (y, 1.0)] {
@@ -382,18 +381,15 @@ mod tests {
         }
     }
 
-    /// As `PoseError` promises, for objects that are modelled far from their origin and moved back too.
+    /// As `PoseError` promises, for objects that are modelled far from their origin and moved back
+    /// too.
     #[test]
     fn places_are_known_to_27_bits() {
         let mut state = 0x1234_5678_9ABC_DEF1;
         let bits = |v: [i32; 3], unit: i32| v.map(|c| f64::from(c) * 2f64.powi(unit));
         let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>();
         for _ in 0..20_000 {
-            let Case {
-                mut pose,
-                eye,
-                rotation,
-            } = Case::random(&mut state);
+            let Case { mut pose, eye, rotation } = Case::random(&mut state);
             let mut tables = tables(&[]);
             tables.offset = Vec3::from_bits([0; 3].map(|_| i32::from(random(&mut state)) << 8));
             let offset = bits(tables.offset.to_bits(), -16).map(|c| c * 1.75);
@@ -407,7 +403,8 @@ mod tests {
             let way: [f64; 3] = core::array::from_fn(|i| at[i] - eye[i]);
             let largest = dot(way, way).max(dot(offset, offset)).sqrt();
             for axis in camera.axes() {
-                let place = Terms::new(axis, Float::new(1, 0), &camera.eye(), &pose, &tables).translation;
+                let place =
+                    Terms::new(axis, Float::new(1, 0), &camera.eye(), &pose, &tables).translation;
                 let got = f64::from(place.mantissa) * 2f64.powi(place.exponent);
                 let want = dot(bits(*axis, -30), core::array::from_fn(|i| way[i] + turned[i]));
                 assert!((got - want).abs() <= largest * 2f64.powi(-27), "{got} {want} {largest}");

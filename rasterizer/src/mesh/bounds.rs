@@ -32,20 +32,14 @@ impl Bounds {
     #[must_use]
     pub const fn of(positions: &[[i16; 3]]) -> Self {
         let cuboid = BoundingBox::of(positions);
-        Self {
-            cuboid,
-            sphere: BoundingSphere::round(&cuboid, positions),
-        }
+        Self { cuboid, sphere: BoundingSphere::round(&cuboid, positions) }
     }
 }
 
 impl BoundingBox {
     const fn of(positions: &[[i16; 3]]) -> Self {
         if positions.is_empty() {
-            return Self {
-                min: [0; 3],
-                max: [0; 3],
-            };
+            return Self { min: [0; 3], max: [0; 3] };
         }
         let mut min = positions[0];
         let mut max = positions[0];
@@ -72,11 +66,7 @@ impl BoundingBox {
     pub fn corners(&self) -> [[i16; 3]; 8] {
         core::array::from_fn(|corner| {
             core::array::from_fn(|axis| {
-                if corner >> axis & 1 == 0 {
-                    self.min[axis]
-                } else {
-                    self.max[axis]
-                }
+                if corner >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] }
             })
         })
     }
@@ -93,7 +83,8 @@ impl BoundingSphere {
         let mut vertex = 0;
         while vertex < positions.len() {
             let p = positions[vertex];
-            let distance = square(p[0], center[0]) + square(p[1], center[1]) + square(p[2], center[2]);
+            let distance =
+                square(p[0], center[0]) + square(p[1], center[1]) + square(p[2], center[2]);
             if distance > farthest {
                 farthest = distance;
             }
@@ -101,10 +92,7 @@ impl BoundingSphere {
         }
         let root = farthest.isqrt();
         let radius = if root * root == farthest { root } else { root + 1 };
-        Self {
-            center,
-            radius: radius as u16,
-        }
+        Self { center, radius: radius as u16 }
     }
 }
 

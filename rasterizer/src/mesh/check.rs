@@ -34,14 +34,20 @@ impl MeshError {
     pub const fn message(self) -> &'static str {
         match self {
             Self::NoVertices => "the mesh has no vertices",
-            Self::TooManyVertices => "the mesh has more than 65,536 vertices: split it into several",
+            Self::TooManyVertices => {
+                "the mesh has more than 65,536 vertices: split it into several"
+            }
             Self::NoTriangles => "the mesh has no triangles",
             Self::IndexOutOfRange { .. } => "a triangle names a vertex past the end of `positions`",
             Self::VertexNormalCount => "`vertex_normals` must be empty or as long as `positions`",
             Self::FaceNormalCount => "`face_normals` must be empty or as long as `triangles`",
-            Self::TextureCoordinateCount => "`texture_coordinates` must be empty or as long as `positions`",
+            Self::TextureCoordinateCount => {
+                "`texture_coordinates` must be empty or as long as `positions`"
+            }
             Self::TextureFractionBits => "`texture_fraction_bits` must be 16 or less",
-            Self::MaterialCoverage => "the materials' `triangle_count`s must add up to the number of triangles",
+            Self::MaterialCoverage => {
+                "the materials' `triangle_count`s must add up to the number of triangles"
+            }
         }
     }
 }
@@ -121,9 +127,5 @@ const fn materials(tables: &Tables<'_>) -> Result<(), MeshError> {
         covered += tables.materials[material].triangle_count as u64;
         material += 1;
     }
-    if covered == tables.triangles.len() as u64 {
-        Ok(())
-    } else {
-        Err(MeshError::MaterialCoverage)
-    }
+    if covered == tables.triangles.len() as u64 { Ok(()) } else { Err(MeshError::MaterialCoverage) }
 }

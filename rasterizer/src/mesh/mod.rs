@@ -1,11 +1,12 @@
 //! A model as constant tables that can stay in flash.
 //!
-//! [`Tables`] is what the converter writes: plain slices and numbers. [`Mesh::new`] checks all of them at once (every
-//! index in range, every length equal to its partner's), so that nothing that draws a mesh has to check again.
-//! [`Mesh::new_const`] is the same check for a `static`: a wrong table does not compile.
+//! [`Tables`] is what the converter writes: plain slices and numbers. [`Mesh::new`] checks all of
+//! them at once (every index in range, every length equal to its partner's), so that nothing that
+//! draws a mesh has to check again. [`Mesh::new_const`] is the same check for a `static`: a wrong
+//! table does not compile.
 //!
-//! Object space is right-handed with y up, as in OBJ. A vertex lies at `offset + scale * position` in the model's own
-//! units, where `position` holds three integers of 16 bits.
+//! Object space is right-handed with y up, as in OBJ. A vertex lies at `offset + scale * position`
+//! in the model's own units, where `position` holds three integers of 16 bits.
 
 mod bounds;
 mod check;
@@ -18,7 +19,8 @@ use crate::numbers::{Scale, Vec3};
 
 /// The tables of a model, before they are checked.
 ///
-/// Tables that a scene does not use may be empty; a shader that needs one says so before the first pixel.
+/// Tables that a scene does not use may be empty; a shader that needs one says so before the first
+/// pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Tables<'a> {
     /// The vertices' positions in quanta.
@@ -31,8 +33,9 @@ pub struct Tables<'a> {
     pub vertex_normals: &'a [[i8; 3]],
     /// The unit normal of each triangle, 127 standing for 1. Empty, or as long as `triangles`.
     pub face_normals: &'a [[i8; 3]],
-    /// Texture coordinates of each vertex, in units of 2<sup>-`texture_fraction_bits`</sup>; u runs to the right and
-    /// v downwards from the texture's top-left corner. Empty, or as long as `positions`.
+    /// Texture coordinates of each vertex, in units of 2<sup>-`texture_fraction_bits`</sup>; u
+    /// runs to the right and v downwards from the texture's top-left corner. Empty, or as long
+    /// as `positions`.
     pub texture_coordinates: &'a [[u16; 2]],
     /// How many of the 16 bits of a texture coordinate lie behind the binary point: 0 to 16.
     pub texture_fraction_bits: u8,
@@ -113,10 +116,7 @@ impl<'a> Mesh<'a> {
         if let Err(error) = check::tables(&tables) {
             return Err(error);
         }
-        Ok(Self {
-            tables,
-            bounds: Bounds::of(tables.positions),
-        })
+        Ok(Self { tables, bounds: Bounds::of(tables.positions) })
     }
 
     /// [`Mesh::new`] for a `static` or a `const`, where a fault stops the compiler.
@@ -188,10 +188,7 @@ mod tests {
         texture_coordinates: &[],
         texture_fraction_bits: 16,
         triangles: Triangles::U8(&[[0, 1, 2], [0, 3, 1]]),
-        materials: &[Material {
-            color: [255, 0, 0],
-            triangle_count: 2,
-        }],
+        materials: &[Material { color: [255, 0, 0], triangle_count: 2 }],
     };
     static MESH: Mesh<'static> = Mesh::new_const(TETRAHEDRON);
 
@@ -218,15 +215,9 @@ mod tests {
             fault(|t| t.triangles = Triangles::U16(&[[0, 1, 2], [0, 4, 1]])),
             MeshError::IndexOutOfRange { triangle: 1 }
         );
-        assert_eq!(
-            fault(|t| t.vertex_normals = &[[0, 0, 127]]),
-            MeshError::VertexNormalCount
-        );
+        assert_eq!(fault(|t| t.vertex_normals = &[[0, 0, 127]]), MeshError::VertexNormalCount);
         assert_eq!(fault(|t| t.face_normals = &[[0, 0, 127]]), MeshError::FaceNormalCount);
-        assert_eq!(
-            fault(|t| t.texture_coordinates = &[[0, 0]]),
-            MeshError::TextureCoordinateCount
-        );
+        assert_eq!(fault(|t| t.texture_coordinates = &[[0, 0]]), MeshError::TextureCoordinateCount);
         assert_eq!(fault(|t| t.texture_fraction_bits = 17), MeshError::TextureFractionBits);
         assert_eq!(fault(|t| t.materials = &[]), MeshError::MaterialCoverage);
     }

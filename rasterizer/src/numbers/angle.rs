@@ -87,8 +87,8 @@ impl Neg for Angle {
     }
 }
 
-/// sin(x pi/2) = x P(x^2) on [-1, 1] in Q30: the polynomial that meets the sine in the Chebyshev nodes of degree 12,
-/// within 2.7e-11 (2^-35) of it before rounding.
+/// sin(x pi/2) = x P(x^2) on [-1, 1] in Q30: the polynomial that meets the sine in the Chebyshev
+/// nodes of degree 12, within 2.7e-11 (2^-35) of it before rounding.
 const SINE: [i32; 6] = [1_686_629_713, -693_598_666, 85_569_282, -5_026_892, 172_072, -3_685];
 
 /// The sine of `turns` / 2^32 of a turn, in Q30.

@@ -1,15 +1,15 @@
 //! Exact division of 64-bit numbers, without a 64-bit division routine.
 //!
-//! It is called rather than inlined, with 64-bit arithmetic at several places of every scene: it is for clipping, slivers
-//! and 32-bit depth.
+//! It is called rather than inlined, with 64-bit arithmetic at several places of every scene: it is
+//! for clipping, slivers and 32-bit depth.
 
 use super::{narrow::IS_NARROW, reciprocal::Reciprocal};
 
 /// A positive divisor.
 ///
-/// Where there is a long multiply, with its reciprocal: each step takes off what the reciprocal of the divisor's upper 32
-/// bits says and keeps the exact remainder, as in long division with digits of 26 bits. Elsewhere a step takes off one bit:
-/// two or three times as long, and 430 bytes less.
+/// Where there is a long multiply, with its reciprocal: each step takes off what the reciprocal of
+/// the divisor's upper 32 bits says and keeps the exact remainder, as in long division with digits
+/// of 26 bits. Elsewhere a step takes off one bit: two or three times as long, and 430 bytes less.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Divisor {
     value: u64,
@@ -24,11 +24,7 @@ impl Divisor {
     #[inline(always)]
     pub(crate) const fn new(value: u64) -> Self {
         if IS_NARROW {
-            Self {
-                value: if value == 0 { 1 } else { value },
-                leading_zeros: 0,
-                mantissa: 0,
-            }
+            Self { value: if value == 0 { 1 } else { value }, leading_zeros: 0, mantissa: 0 }
         } else {
             Self::with_reciprocal(value)
         }
@@ -72,7 +68,8 @@ impl Divisor {
         while rest >= self.value {
             let zeros = rest.leading_zeros();
             let upper = (rest << zeros) >> 32;
-            // rest / value = upper 2^(32 - zeros) / (value's upper 2^(32 - leading_zeros)), and zeros <= leading_zeros.
+            // rest / value = upper 2^(32 - zeros) / (value's upper 2^(32 - leading_zeros)), and
+            // zeros <= leading_zeros.
             let digit = (upper * self.mantissa as u64) >> (62 + zeros - self.leading_zeros);
             let digit = if digit == 0 { 1 } else { digit };
             quotient += digit;

@@ -1,14 +1,16 @@
-//! Numbers of any magnitude with 31 bits of precision, for what is worked out once a frame: matrices and planes.
+//! Numbers of any magnitude with 31 bits of precision, for what is worked out once a frame:
+//! matrices and planes.
 //!
-//! No vertex and no pixel sees them, so that they are functions that are called rather than inlined: 2 KB less flash.
-//! They let a scene measure a thousandth of a unit or ten thousand, and still hand
-//! the vertex loop integers that use all their bits.
+//! No vertex and no pixel sees them, so that they are functions that are called rather than
+//! inlined: 2 KB less flash. They let a scene measure a thousandth of a unit or ten thousand, and
+//! still hand the vertex loop integers that use all their bits.
 
 use fixed::types::U16F16;
 
 use super::{Scale, reciprocal::Reciprocal};
 
-/// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or [`ZERO`](Self::ZERO).
+/// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or
+/// [`ZERO`](Self::ZERO).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Float {
     pub(crate) mantissa: i32,
@@ -17,10 +19,7 @@ pub struct Float {
 
 impl Float {
     /// Less than any other, so that it has no part in the unit of a sum.
-    pub(crate) const ZERO: Self = Self {
-        mantissa: 0,
-        exponent: -100_000,
-    };
+    pub(crate) const ZERO: Self = Self { mantissa: 0, exponent: -100_000 };
 
     /// `value * 2^exponent`, rounded to 31 bits.
     #[inline(never)]
@@ -28,7 +27,8 @@ impl Float {
         if value == 0 {
             return Self::ZERO;
         }
-        // The top bit goes to the top step by step: a routine that counts zeros and one that shifts are more code.
+        // The top bit goes to the top step by step: a routine that counts zeros and one that shifts
+        // are more code.
         let mut magnitude = value.unsigned_abs();
         let mut exponent = exponent + 33;
         if magnitude >> 32 == 0 {
@@ -43,10 +43,7 @@ impl Float {
         // All ones would be rounded up to 2^31.
         let rounded = (upper >> 1) + (upper & 1);
         let mantissa = if rounded >> 31 == 0 { rounded as i32 } else { i32::MAX };
-        Self {
-            mantissa: if value < 0 { -mantissa } else { mantissa },
-            exponent,
-        }
+        Self { mantissa: if value < 0 { -mantissa } else { mantissa }, exponent }
     }
 
     pub(crate) const fn from_scale(scale: Scale) -> Self {
@@ -59,14 +56,11 @@ impl Float {
 
     #[inline(never)]
     pub(crate) const fn times(self, other: Self) -> Self {
-        Self::new(
-            self.mantissa as i64 * other.mantissa as i64,
-            self.exponent + other.exponent,
-        )
+        Self::new(self.mantissa as i64 * other.mantissa as i64, self.exponent + other.exponent)
     }
 
-    /// The sum, within 1.5 x 2<sup>-30</sup> of the larger magnitude: half a unit of it for what the other has below, and one
-    /// where the sum has a bit more.
+    /// The sum, within 1.5 x 2<sup>-30</sup> of the larger magnitude: half a unit of it for what
+    /// the other has below, and one where the sum has a bit more.
     pub(crate) fn plus(self, other: Self) -> Self {
         let unit = self.exponent.max(other.exponent);
         let sum = i64::from(self.in_units_of(unit)) + i64::from(other.in_units_of(unit));
@@ -143,7 +137,10 @@ mod tests {
         let three = Float::new(3, 0);
         let tenth = Float::new(10, 0).reciprocal();
         assert!((f64_of(three.times(tenth)) - 0.3).abs() < 2f64.powi(-30));
-        assert!((f64_of(Float::new(7, 300).reciprocal()) * 7.0 * 2f64.powi(300) - 1.0).abs() < 2f64.powi(-29));
+        assert!(
+            (f64_of(Float::new(7, 300).reciprocal()) * 7.0 * 2f64.powi(300) - 1.0).abs()
+                < 2f64.powi(-29)
+        );
     }
 
     #[test]

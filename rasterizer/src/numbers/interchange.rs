@@ -1,7 +1,8 @@
 //! Numbers from code that computes in `f32`: sensor fusion, a filter, an animation.
 //!
-//! `micromath` is what such code uses on a microcontroller. Its approximations (0.1 % and worse) end here: a quaternion
-//! becomes a rotation whose rows are orthonormal to the last bits, whatever its length was.
+//! `micromath` is what such code uses on a microcontroller. Its approximations (0.1 % and worse)
+//! end here: a quaternion becomes a rotation whose rows are orthonormal to the last bits, whatever
+//! its length was.
 
 use fixed::types::I2F30;
 use micromath::{F32Ext, Quaternion, vector::F32x3};
@@ -43,7 +44,8 @@ impl Rotation {
         }
         // Components in Q30 of the largest; their length lies between 1 and 2.
         let q = parts.map(|c| i64::from(I2F30::from_num(c / largest).to_bits()));
-        let (mantissa, exponent) = inverse_square_root(q.iter().map(|c| (c * c) as u64 >> 2).sum::<u64>());
+        let (mantissa, exponent) =
+            inverse_square_root(q.iter().map(|c| (c * c) as u64 >> 2).sum::<u64>());
         // c / (2 sqrt(sum / 4)) in Q30
         let down = -(exponent + 29);
         let [w, x, y, z] = q.map(|c| (c * i64::from(mantissa) + (1 << (down - 1))) >> down);
@@ -65,7 +67,10 @@ impl Rotation {
                 (1 << 30) - twice(x, x) - twice(y, y),
             ],
         ];
-        Some(Self::from_rows(rows.map(|row| row.map(|c| I2F30::from_bits(c as i32)))).orthonormalized())
+        Some(
+            Self::from_rows(rows.map(|row| row.map(|c| I2F30::from_bits(c as i32))))
+                .orthonormalized(),
+        )
     }
 }
 
@@ -77,17 +82,15 @@ mod tests {
     fn radians_become_turns() {
         let near = |a: Angle, b: Angle| (a - b).to_bits().cast_signed().abs() < 1 << 10;
         assert!(near(Angle::from_radians(core::f32::consts::FRAC_PI_2), Angle::QUARTER));
-        assert!(near(
-            Angle::from_radians(-core::f32::consts::FRAC_PI_2),
-            -Angle::QUARTER
-        ));
+        assert!(near(Angle::from_radians(-core::f32::consts::FRAC_PI_2), -Angle::QUARTER));
         assert!(near(Angle::from_radians(core::f32::consts::TAU), Angle::ZERO));
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
             assert_eq!(Angle::from_radians(bad), Angle::ZERO);
         }
     }
 
-    /// A quaternion's length must not matter: three of lengths 1, 1e-20 and 1e20 give the rotation about y by 90 degrees.
+    /// A quaternion's length must not matter: three of lengths 1, 1e-20 and 1e20 give the rotation
+    /// about y by 90 degrees.
     #[test]
     fn quaternions_of_any_length_become_orthonormal() {
         for length in [1.0f32, 1e-20, 1e20] {
@@ -100,14 +103,8 @@ mod tests {
             }
         }
         assert_eq!(Rotation::from_quaternion(Quaternion::new(0.0, 0.0, 0.0, 0.0)), None);
-        assert_eq!(
-            Rotation::from_quaternion(Quaternion::new(f32::NAN, 0.0, 1.0, 0.0)),
-            None
-        );
-        assert_eq!(
-            Rotation::from_quaternion(Quaternion::new(f32::INFINITY, 0.0, 1.0, 0.0)),
-            None
-        );
+        assert_eq!(Rotation::from_quaternion(Quaternion::new(f32::NAN, 0.0, 1.0, 0.0)), None);
+        assert_eq!(Rotation::from_quaternion(Quaternion::new(f32::INFINITY, 0.0, 1.0, 0.0)), None);
     }
 
     #[test]

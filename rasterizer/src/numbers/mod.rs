@@ -1,4 +1,5 @@
-//! The numbers everything else is made of: Q formats, vectors, rotations, and the kernels behind them.
+//! The numbers everything else is made of: Q formats, vectors, rotations, and the kernels behind
+//! them.
 //!
 //! | type | format | for |
 //! |---|---|---|
@@ -7,8 +8,9 @@
 //! | [`Rotation`] | Q2.30 | matrices of length-one rows |
 //! | [`Scale`] | 32-bit mantissa, exponent | the length of a mesh's quantum |
 //!
-//! Errors of the kernels, each tested: reciprocal 2<sup>-27</sup> of its value over all mantissas, inverse square root
-//! 2<sup>-28</sup>, sine and cosine 2<sup>-28</sup>, rotations orthonormal to 2<sup>-26</sup>.
+//! Errors of the kernels, each tested: reciprocal 2<sup>-27</sup> of its value over all mantissas,
+//! inverse square root 2<sup>-28</sup>, sine and cosine 2<sup>-28</sup>, rotations orthonormal to
+//! 2<sup>-26</sup>.
 
 mod angle;
 mod divide;
@@ -25,8 +27,8 @@ pub use angle::Angle;
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use narrow::{
-    HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high, mul_high_unsigned, mul_q30,
-    normalised, saturate,
+    HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high,
+    mul_high_unsigned, mul_q30, normalised, saturate,
 };
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;

@@ -1,32 +1,26 @@
-//! What the smallest cores have no instruction for: the upper half of a product, the leading zeros of a number, division.
+//! What the smallest cores have no instruction for: the upper half of a product, the leading zeros
+//! of a number, division.
 //!
-//! `ARMv6-M` has no multiplication that gives more than 32 bits: the compiler would call a routine that multiplies 64 by 64
-//! bits (some 50 instructions). Four products of 16-bit halves need 17 (Warren, *Hacker's Delight*, 2nd ed., section
-//! 8-2). It counts leading zeros by a routine of 33 instructions; a table of 16 entries needs 13. Both forms give the
-//! same results, so a frame is the same on every core.
+//! `ARMv6-M` has no multiplication that gives more than 32 bits: the compiler would call a routine
+//! that multiplies 64 by 64 bits (some 50 instructions). Four products of 16-bit halves need 17
+//! (Warren, *Hacker's Delight*, 2nd ed., section 8-2). It counts leading zeros by a routine of 33
+//! instructions; a table of 16 entries needs 13. Both forms give the same results, so a frame is
+//! the same on every core.
 
 /// ⌊a b / 2<sup>32</sup>⌋.
 #[inline(always)]
 pub(crate) const fn mul_high(a: i32, b: i32) -> i32 {
-    if IS_NARROW {
-        mul_high_by_halves(a, b)
-    } else {
-        ((a as i64 * b as i64) >> 32) as i32
-    }
+    if IS_NARROW { mul_high_by_halves(a, b) } else { ((a as i64 * b as i64) >> 32) as i32 }
 }
 
 /// ⌊a b / 2<sup>32</sup>⌋ without signs.
 #[inline(always)]
 pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
-    if IS_NARROW {
-        mul_high_unsigned_by_halves(a, b)
-    } else {
-        ((a as u64 * b as u64) >> 32) as u32
-    }
+    if IS_NARROW { mul_high_unsigned_by_halves(a, b) } else { ((a as u64 * b as u64) >> 32) as u32 }
 }
 
-/// The product with a number in Q30, rounded. A function that is called, for what is worked out once a frame: angles and
-/// lights.
+/// The product with a number in Q30, rounded. A function that is called, for what is worked out
+/// once a frame: angles and lights.
 #[inline(never)]
 pub(crate) const fn mul_q30(a: i32, b: i32) -> i32 {
     ((a as i64 * b as i64 + (1 << 29)) >> 30) as i32
@@ -35,11 +29,7 @@ pub(crate) const fn mul_q30(a: i32, b: i32) -> i32 {
 /// The leading zeros of a number.
 #[inline(always)]
 pub(crate) const fn leading_zeros(value: u32) -> u32 {
-    if IS_NARROW {
-        leading_zeros_by_table(value)
-    } else {
-        value.leading_zeros()
-    }
+    if IS_NARROW { leading_zeros_by_table(value) } else { value.leading_zeros() }
 }
 
 /// A positive number shifted up to its most significant bit, and by how many bits.
@@ -58,11 +48,7 @@ pub(crate) const fn normalised(value: u32) -> (u32, u32) {
 /// Where there is no instruction for it, taking off the divisor takes 5 instructions a time.
 #[inline(always)]
 pub(crate) const fn divide_small(a: u32, b: u32) -> u32 {
-    if IS_NARROW {
-        divide_by_subtraction(a, b)
-    } else {
-        divide(a, b)
-    }
+    if IS_NARROW { divide_by_subtraction(a, b) } else { divide(a, b) }
 }
 
 /// ⌊a / b⌋; 0 for a `b` of 0.
@@ -91,13 +77,16 @@ pub(crate) const fn saturate(value: i32, limit: i32) -> i32 {
     }
 }
 
-/// Whether the core lacks all of them. Among ARM targets these are the ones without atomic read-modify-write instructions
-/// (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one ask for.
+/// Whether the core lacks all of them. Among ARM targets these are the ones without atomic
+/// read-modify-write instructions (`ARMv6-M`, `ARMv4T`), which is what a stable compiler lets one
+/// ask for.
 pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
 
-/// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension. The baseline of `ARMv8-M`
-/// counts as one of them, as it has atomic instructions too; there a compiler stores two halves.
-pub(crate) const HAS_UNALIGNED_WORDS: bool = cfg!(all(target_arch = "arm", target_has_atomic = "32"));
+/// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension.
+/// The baseline of `ARMv8-M` counts as one of them, as it has atomic instructions too; there a
+/// compiler stores two halves.
+pub(crate) const HAS_UNALIGNED_WORDS: bool =
+    cfg!(all(target_arch = "arm", target_has_atomic = "32"));
 
 #[inline(always)]
 const fn mul_high_by_halves(a: i32, b: i32) -> i32 {
@@ -106,10 +95,7 @@ const fn mul_high_by_halves(a: i32, b: i32) -> i32 {
     let low = a_low.wrapping_mul(b_low) as u32;
     let middle = a_high.wrapping_mul(b_low).wrapping_add((low >> 16) as i32);
     let other = a_low.wrapping_mul(b_high).wrapping_add(middle & 0xFFFF);
-    a_high
-        .wrapping_mul(b_high)
-        .wrapping_add(middle >> 16)
-        .wrapping_add(other >> 16)
+    a_high.wrapping_mul(b_high).wrapping_add(middle >> 16).wrapping_add(other >> 16)
 }
 
 #[inline(always)]
@@ -134,8 +120,8 @@ const fn divide_by_subtraction(a: u32, b: u32) -> u32 {
     quotient
 }
 
-/// Shifts and subtracts, some 10 instructions for each bit of the quotient: the compiler's own routine, of 180 bytes and 60
-/// to 90 instructions, is not linked then.
+/// Shifts and subtracts, some 10 instructions for each bit of the quotient: the compiler's own
+/// routine, of 180 bytes and 60 to 90 instructions, is not linked then.
 #[inline(never)]
 const fn divide_by_bits(a: u32, b: u32) -> u32 {
     if b == 0 {

@@ -1,7 +1,7 @@
 //! The reciprocal of a positive integer, from a table and two Newton steps.
 //!
-//! A core without a divide instruction needs some 25 instructions for it, one with a divider no more than the divider
-//! would take for the same precision. All cores compute the same bits.
+//! A core without a divide instruction needs some 25 instructions for it, one with a divider no
+//! more than the divider would take for the same precision. All cores compute the same bits.
 
 use super::narrow::{mul_high_unsigned, normalised};
 
@@ -16,7 +16,8 @@ pub struct Reciprocal {
     pub(crate) leading_zeros: u32,
 }
 
-/// The reciprocal in the middle of each of 128 intervals of [1, 2), in 256ths, less 256: within 2^-7.4.
+/// The reciprocal in the middle of each of 128 intervals of [1, 2), in 256ths, less 256: within
+/// 2^-7.4.
 const SEED: [u8; 128] = {
     let mut seed = [0; 128];
     let mut interval = 0;
@@ -38,24 +39,18 @@ impl Reciprocal {
     #[inline(always)]
     pub(crate) const fn of(value: u32) -> Self {
         let (normalised, leading_zeros) = normalised(value);
-        Self {
-            mantissa: mantissa(normalised),
-            leading_zeros,
-        }
+        Self { mantissa: mantissa(normalised), leading_zeros }
     }
 
-    /// The mantissa after one more Newton step in 64 bits: within 2<sup>-30</sup>, for what is worked out once a frame.
+    /// The mantissa after one more Newton step in 64 bits: within 2<sup>-30</sup>, for what is
+    /// worked out once a frame.
     pub(crate) const fn refined_mantissa(self, value: u32) -> i32 {
         let normalised = (value << self.leading_zeros) as i64;
         let mantissa = self.mantissa as i64;
         // 1 - m r in Q62, below 2^-27 of it: 32 bits of it are enough for a correction of 27 bits.
         let error = (1i64 << 62) - normalised * mantissa;
         let refined = mantissa + ((mantissa * (error >> 30)) >> 32);
-        if refined > i32::MAX as i64 {
-            i32::MAX
-        } else {
-            refined as i32
-        }
+        if refined > i32::MAX as i64 { i32::MAX } else { refined as i32 }
     }
 }
 
@@ -64,8 +59,8 @@ impl Reciprocal {
 const fn mantissa(m: u32) -> i32 {
     // r0 = 1/m in Q8, 9 bits.
     let r0 = 256 + SEED[((m >> 24) & 127) as usize] as u32;
-    // r1 = r0 (2 - m r0): Q8 x Q24 >> 17 = Q15. The second factor drops 3 bits so that the product fits 32.
-    // Of m its upper 16 bits.
+    // r1 = r0 (2 - m r0): Q8 x Q24 >> 17 = Q15. The second factor drops 3 bits so that the product
+    // fits 32. Of m its upper 16 bits.
     let r1 = (r0 * (((1 << 25) - r0 * (m >> 16)) >> 3)) >> 14;
     // m r1 in Q31, near 1: from the exact 48-bit product without its lowest 16 bits.
     let product = mul_high_unsigned(m, r1 << 16);
@@ -114,7 +109,8 @@ mod tests {
     fn refinement_reaches_30_bits() {
         for k in 0..1_000_000u32 {
             let value = (1 << 31) + k * 2147 + (k & 1);
-            let got = f64::from(Reciprocal::of(value).refined_mantissa(value)) * f64::from(value) / 2f64.powi(62);
+            let got = f64::from(Reciprocal::of(value).refined_mantissa(value)) * f64::from(value)
+                / 2f64.powi(62);
             assert!(
                 (got - 1.0).abs() < 2f64.powi(-29),
                 "1/{value}: 2^{}",

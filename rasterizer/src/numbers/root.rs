@@ -1,7 +1,7 @@
 //! The inverse square root, from a table and three Newton steps, and what it is for: unit vectors.
 
-/// The inverse square root in the middle of each of 128 intervals of [0, 1), in 256ths, less 256. Those below 1/4 are
-/// never looked up: with them 7 bits are an index that needs no check.
+/// The inverse square root in the middle of each of 128 intervals of [0, 1), in 256ths, less 256.
+/// Those below 1/4 are never looked up: with them 7 bits are an index that needs no check.
 const SEED: [u8; 128] = {
     let mut seed = [0; 128];
     let mut interval = 32;
@@ -17,8 +17,9 @@ const SEED: [u8; 128] = {
 
 /// 1 / √`value` as `(mantissa, exponent)`, standing for `mantissa * 2^exponent`.
 ///
-/// The mantissa lies from 2<sup>30</sup> to 2<sup>31</sup>, and its relative error is below 2<sup>-28</sup>: the table's
-/// 2<sup>-6.8</sup> becomes 1.5 e<sup>2</sup> at each step until the 30 bits of the arithmetic are used up. The root of 0 is taken as that of 1.
+/// The mantissa lies from 2<sup>30</sup> to 2<sup>31</sup>, and its relative error is below
+/// 2<sup>-28</sup>: the table's 2<sup>-6.8</sup> becomes 1.5 e<sup>2</sup> at each step until the
+/// 30 bits of the arithmetic are used up. The root of 0 is taken as that of 1.
 pub(crate) const fn inverse_square_root(value: u64) -> (u32, i32) {
     let value = if value == 0 { 1 } else { value };
     // Normalised by an even shift to m / 2^32 in [1/4, 1).
@@ -41,7 +42,8 @@ const fn mantissa(m: u64) -> u32 {
     y as u32
 }
 
-/// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>; nothing for a zero vector.
+/// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>; nothing
+/// for a zero vector.
 #[inline(never)]
 pub(crate) const fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
     let largest = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
@@ -57,7 +59,8 @@ pub(crate) const fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
         axis += 1;
     }
     let (mantissa, exponent) = inverse_square_root(squares);
-    // c * mantissa * 2^exponent in Q30, rounded; c has 30 bits, the mantissa 31, and exponent + 30 is about -31.
+    // c * mantissa * 2^exponent in Q30, rounded; c has 30 bits, the mantissa 31, and exponent + 30
+    // is about -31.
     let down = -(exponent + 30);
     let mut unit = [0; 3];
     while axis > 0 {
@@ -71,8 +74,8 @@ pub(crate) const fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
 mod tests {
     use super::*;
 
-    /// The error of a Newton step is a smooth function of m inside one interval of the table, so that steps of 61
-    /// cannot miss its bound by more than 61 / 2^30 of the slope, below 2^-33.
+    /// The error of a Newton step is a smooth function of m inside one interval of the table, so
+    /// that steps of 61 cannot miss its bound by more than 61 / 2^30 of the slope, below 2^-33.
     #[test]
     fn error_bound_holds_for_all_mantissas() {
         let worst = (1u64 << 30..1 << 32)
@@ -108,10 +111,7 @@ mod tests {
             let u = unit(v).unwrap().map(|c| f64::from(c) / 2f64.powi(30));
             let length = v.iter().map(|&c| (c as f64).powi(2)).sum::<f64>().sqrt();
             for axis in 0..3 {
-                assert!(
-                    (u[axis] - v[axis] as f64 / length).abs() < 2f64.powi(-28),
-                    "{v:?} {u:?}"
-                );
+                assert!((u[axis] - v[axis] as f64 / length).abs() < 2f64.powi(-28), "{v:?} {u:?}");
             }
         }
         assert_eq!(unit([0; 3]), None);

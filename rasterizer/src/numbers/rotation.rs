@@ -8,8 +8,9 @@ use super::{Angle, Scalar, Vec3, root::unit};
 
 /// A rotation: a matrix in Q30 that multiplies column vectors from the left.
 ///
-/// Its rows stay orthonormal within 2<sup>-26</sup>. Each product of two rotations may add 2<sup>-29</sup> to that:
-/// after some hundred products one calls [`orthonormalized`](Self::orthonormalized).
+/// Its rows stay orthonormal within 2<sup>-26</sup>. Each product of two rotations may add
+/// 2<sup>-29</sup> to that: after some hundred products one calls
+/// [`orthonormalized`](Self::orthonormalized).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rotation {
     rows: [[I2F30; 3]; 3],
@@ -26,7 +27,8 @@ impl Default for Rotation {
 
 impl Rotation {
     /// No rotation.
-    pub const IDENTITY: Self = Self::from_rows([[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]]);
+    pub const IDENTITY: Self =
+        Self::from_rows([[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]]);
 
     /// From the rows of its matrix, which the caller knows to be orthonormal.
     #[must_use]
@@ -81,8 +83,8 @@ impl Rotation {
         }))
     }
 
-    /// A direction in Q30 turned by the inverse, rounded: the product of a row of numbers, on the left, and this matrix.
-    /// Matrices are made of it, once a frame: a function that is called.
+    /// A direction in Q30 turned by the inverse, rounded: the product of a row of numbers, on the
+    /// left, and this matrix. Matrices are made of it, once a frame: a function that is called.
     #[inline(never)]
     pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
         let mut turned = [0; 3];
@@ -97,8 +99,8 @@ impl Rotation {
         turned
     }
 
-    /// The nearest directions at right angles of length one: the first row keeps its direction, the second its plane
-    /// with the first (Gram and Schmidt).
+    /// The nearest directions at right angles of length one: the first row keeps its direction, the
+    /// second its plane with the first (Gram and Schmidt).
     #[must_use]
     pub fn orthonormalized(&self) -> Self {
         let [x, y, _] = self.rows.map(|row| row.map(|c| i64::from(c.to_bits())));
@@ -106,7 +108,8 @@ impl Rotation {
             return Self::IDENTITY;
         };
         let along = (0..3).map(|i| i64::from(x[i]) * y[i]).sum::<i64>() >> 30;
-        let Some(y) = unit(core::array::from_fn(|i| y[i] - ((along * i64::from(x[i])) >> 30))) else {
+        let Some(y) = unit(core::array::from_fn(|i| y[i] - ((along * i64::from(x[i])) >> 30)))
+        else {
             return Self::IDENTITY;
         };
         Self::from_rows([x, y, cross(x, y)].map(|row| row.map(I2F30::from_bits)))
@@ -152,10 +155,12 @@ impl Vec3 {
         products.map(|(c, &d)| i64::from(c) * i64::from(d)).sum()
     }
 
-    /// The direction of this vector with length one, or nothing for the zero vector. Within 2<sup>-16</sup>.
+    /// The direction of this vector with length one, or nothing for the zero vector. Within
+    /// 2<sup>-16</sup>.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
-        unit(self.to_bits().map(i64::from)).map(|u| Self::from_bits(u.map(|c| (c + (1 << 13)) >> 14)))
+        unit(self.to_bits().map(i64::from))
+            .map(|u| Self::from_bits(u.map(|c| (c + (1 << 13)) >> 14)))
     }
 
     /// The length, rounded down; it saturates at the end of the range.
@@ -199,11 +204,15 @@ mod tests {
         }
         assert!(skew(&r) < 2f64.powi(-25), "2^{}", skew(&r).log2());
         for degrees in 0..360 {
-            let r = Rotation::about_z(Angle::degrees(degrees)) * Rotation::about_x(Angle::degrees(degrees * 7));
+            let r = Rotation::about_z(Angle::degrees(degrees))
+                * Rotation::about_x(Angle::degrees(degrees * 7));
             assert!(skew(&r) < 2f64.powi(-26), "{degrees}: 2^{}", skew(&r).log2());
             let back = r * r.inverse();
             let near = |a: I2F30, b: I2F30| (a - b).abs() < I2F30::from_bits(16);
-            assert!((0..9).all(|i| near(back.rows[i / 3][i % 3], Rotation::IDENTITY.rows[i / 3][i % 3])));
+            assert!(
+                (0..9)
+                    .all(|i| near(back.rows[i / 3][i % 3], Rotation::IDENTITY.rows[i / 3][i % 3]))
+            );
         }
     }
 

@@ -2,8 +2,8 @@
 
 /// `mantissa * 2^exponent`.
 ///
-/// A model may measure a thousandth of a unit or a million: the length of one quantum of its tables needs more range
-/// than a fixed-point number has, and keeps 32 bits of precision in this form.
+/// A model may measure a thousandth of a unit or a million: the length of one quantum of its tables
+/// needs more range than a fixed-point number has, and keeps 32 bits of precision in this form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Scale {
     mantissa: u32,
@@ -18,19 +18,14 @@ impl Scale {
     ///
     /// # Panics
     ///
-    /// If the mantissa is 0, or the exponent is so extreme that no model can have it (beyond ±1,000).
+    /// If the mantissa is 0, or the exponent is so extreme that no model can have it (beyond
+    /// ±1,000).
     #[must_use]
     pub const fn new(mantissa: u32, exponent: i32) -> Self {
         assert!(mantissa != 0, "a scale of 0 leaves nothing to draw");
-        assert!(
-            exponent.unsigned_abs() <= 1000,
-            "the exponent of a scale is at most 1,000"
-        );
+        assert!(exponent.unsigned_abs() <= 1000, "the exponent of a scale is at most 1,000");
         let shift = mantissa.leading_zeros();
-        Self {
-            mantissa: mantissa << shift,
-            exponent: exponent - shift as i32,
-        }
+        Self { mantissa: mantissa << shift, exponent: exponent - shift as i32 }
     }
 
     /// The mantissa: 2<sup>31</sup> to 2<sup>32</sup> - 1.

@@ -36,9 +36,10 @@ impl Vec3 {
 
     /// From decimal text, at compile time: `const EYE: Vec3 = Vec3::lit("0", "1.5", "-4");`
     ///
-    /// In a constant, or in a block `const { .. }`, the text is gone when the firmware is linked. Anywhere else the
-    /// firmware may have to read it, and takes 3.6 KB of code along to do so. The same goes for `lit` of [`Scalar`],
-    /// [`Distance`](crate::camera::Distance) and [`Level`](crate::shade::Level).
+    /// In a constant, or in a block `const { .. }`, the text is gone when the firmware is linked.
+    /// Anywhere else the firmware may have to read it, and takes 3.6 KB of code along to do so.
+    /// The same goes for `lit` of [`Scalar`], [`Distance`](crate::camera::Distance) and
+    /// [`Level`](crate::shade::Level).
     ///
     /// # Panics
     ///

@@ -1,21 +1,24 @@
 //! The boundary that an edge draws through the rows.
 //!
-//! The edge function of an edge from (x0, y0) down to (x1, y1), with dx = x1 - x0 and dy = y1 - y0 > 0,
+//! The edge function of an edge from (x0, y0) down to (x1, y1), with dx = x1 - x0 and
+//! dy = y1 - y0 > 0,
 //!
 //! ```text
 //!   E(x, y) = (x - x0) dy - (y - y0) dx
 //! ```
 //!
-//! is 0 on the edge and positive to its right (Pineda, *A Parallel Algorithm for Polygon Rasterization*, SIGGRAPH 1988).
-//! In each row the boundary is the first pixel whose centre has E >= 0. Seen from the right, that pixel is the first one
-//! inside: a left edge covers the centres on it. Seen from the left, it is the first one outside: a right edge does not.
-//! Together with rows that run from the first centre at or below the upper end to the last one above the lower end, that
-//! is the top-left rule, and the same boundary serves both triangles of a shared edge.
+//! is 0 on the edge and positive to its right (Pineda, *A Parallel Algorithm for Polygon
+//! Rasterization*, SIGGRAPH 1988). In each row the boundary is the first pixel whose centre has
+//! E >= 0. Seen from the right, that pixel is the first one inside: a left edge covers the centres
+//! on it. Seen from the left, it is the first one outside: a right edge does not. Together with rows
+//! that run from the first centre at or below the upper end to the last one above the lower end,
+//! that is the top-left rule, and the same boundary serves both triangles of a shared edge.
 //!
-//! E at the boundary pixel stays between 0 and dy (2^S times that, but all its values there share their S lowest bits,
-//! which are dropped): stepping down a row takes dx off, stepping a pixel to the right adds dy. With dx = q dy + r, the
-//! boundary moves by q pixels and E by -r, and by one more pixel where that makes E negative. Nothing is ever rounded,
-//! and no value needs more than 32 bits at any sub-pixel precision.
+//! E at the boundary pixel stays between 0 and dy (2^S times that, but all its values there share
+//! their S lowest bits, which are dropped): stepping down a row takes dx off, stepping a pixel to
+//! the right adds dy. With dx = q dy + r, the boundary moves by q pixels and E by -r, and by one
+//! more pixel where that makes E negative. Nothing is ever rounded, and no value needs more than 32
+//! bits at any sub-pixel precision.
 
 use super::Layout;
 use crate::{
@@ -30,7 +33,8 @@ pub(super) struct Edge {
     pub(super) boundary: i32,
     /// The edge function at the boundary's centre, without its S lowest bits: from 0 to dy - 1.
     function: i32,
-    /// By how many pixels the boundary's address moves at least from a row to the next: ⌊dx / dy⌋ and the pitch.
+    /// By how many pixels the boundary's address moves at least from a row to the next: ⌊dx / dy⌋
+    /// and the pitch.
     stride: i32,
     /// What the edge function loses by that: dx mod dy.
     remainder: i32,
@@ -38,11 +42,17 @@ pub(super) struct Edge {
 }
 
 impl Edge {
-    /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below `top`.
+    /// The boundary of the edge from `top` down to `bottom` in `row`, whose centre lies at or below
+    /// `top`.
     ///
     /// Coordinates are sub-pixels, the edge's extents below 2^(11 + S).
     #[inline(always)]
-    pub(super) const fn new<S: Subpixel>(top: [i32; 2], bottom: [i32; 2], row: i32, layout: &Layout) -> Self {
+    pub(super) const fn new<S: Subpixel>(
+        top: [i32; 2],
+        bottom: [i32; 2],
+        row: i32,
+        layout: &Layout,
+    ) -> Self {
         if IS_NARROW {
             Self::called::<S>(top, bottom, row, layout)
         } else {
@@ -50,19 +60,30 @@ impl Edge {
         }
     }
 
-    /// The smallest cores often have the smallest flash: 150 to 400 bytes less for 1 to 2.7 % more of a frame's instructions.
+    /// The smallest cores often have the smallest flash: 150 to 400 bytes less for 1 to 2.7 % more
+    /// of a frame's instructions.
     #[inline(never)]
-    const fn called<S: Subpixel>(top: [i32; 2], bottom: [i32; 2], row: i32, layout: &Layout) -> Self {
+    const fn called<S: Subpixel>(
+        top: [i32; 2],
+        bottom: [i32; 2],
+        row: i32,
+        layout: &Layout,
+    ) -> Self {
         Self::inlined::<S>(top, bottom, row, layout)
     }
 
     #[inline(always)]
-    const fn inlined<S: Subpixel>(top: [i32; 2], bottom: [i32; 2], row: i32, layout: &Layout) -> Self {
+    const fn inlined<S: Subpixel>(
+        top: [i32; 2],
+        bottom: [i32; 2],
+        row: i32,
+        layout: &Layout,
+    ) -> Self {
         let half = 1 << (S::BITS - 1);
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
         let (columns, remainder) = floor_divide(dx, dy);
-        // The row's centre below the upper end, and the edge's x there from the first column's centre, in sub-pixels, but
-        // for the last `rest` / dy of it.
+        // The row's centre below the upper end, and the edge's x there from the first column's
+        // centre, in sub-pixels, but for the last `rest` / dy of it.
         let below = (row << S::BITS) + half - top[1];
         let mut x = top[0] - half + below * columns;
         let mut rest = below.wrapping_mul(remainder);
@@ -71,8 +92,8 @@ impl Edge {
             x += whole;
             rest = rest.wrapping_sub(whole.wrapping_mul(dy));
         }
-        // The first centre from x on lies -x mod 2^S beyond it: the edge function is below 2^S dy there, and `rest` takes at
-        // most as much off.
+        // The first centre from x on lies -x mod 2^S beyond it: the edge function is below 2^S dy
+        // there, and `rest` takes at most as much off.
         let column = (x + 2 * half - 1) >> S::BITS;
         let function = ((-x & (2 * half - 1)) * dy - rest) >> S::BITS;
         let (column, function) = carried(column, function, dy);
@@ -89,7 +110,8 @@ impl Edge {
     #[inline(always)]
     pub(super) const fn step(&mut self) {
         // Worked out in registers and stored once.
-        let (boundary, function) = carried(self.boundary + self.stride, self.function - self.remainder, self.dy);
+        let (boundary, function) =
+            carried(self.boundary + self.stride, self.function - self.remainder, self.dy);
         (self.boundary, self.function) = (boundary, function);
     }
 }
@@ -118,7 +140,8 @@ const fn floor_divide(dx: i32, dy: i32) -> (i32, i32) {
     (quotient, dx - quotient * dy)
 }
 
-/// ⌊`below * remainder / dy`⌋, for factors up to dy, which in S4 is below 2^15 and in S8 below 2^19.
+/// ⌊`below * remainder / dy`⌋, for factors up to dy, which in S4 is below 2^15 and in S8 below
+/// 2^19.
 #[cold]
 #[inline(never)]
 const fn scaled<S: Subpixel>(below: i32, remainder: i32, dy: i32) -> i32 {
@@ -126,7 +149,8 @@ const fn scaled<S: Subpixel>(below: i32, remainder: i32, dy: i32) -> i32 {
         return divide(below as u32 * remainder as u32, dy as u32) as i32;
     }
     // Long division, as the product would not fit, by 11 digits of `below` at a time: with
-    // below = high 2^11 + low the rest of the first step is below dy, and rest 2^11 + low remainder below 2^32.
+    // below = high 2^11 + low the rest of the first step is below dy, and rest 2^11 + low remainder
+    // below 2^32.
     let (high, low) = (below as u32 >> 11, below as u32 & 0x7FF);
     let (remainder, dy) = (remainder as u32, dy as u32);
     let upper = high * remainder;
@@ -203,7 +227,11 @@ mod tests {
                     ];
                     let [a, b] = ends;
                     if a[1] != b[1] {
-                        check(if a[1] < b[1] { a } else { b }, if a[1] < b[1] { b } else { a }, bits);
+                        check(
+                            if a[1] < b[1] { a } else { b },
+                            if a[1] < b[1] { b } else { a },
+                            bits,
+                        );
                     }
                 }
             }

@@ -1,25 +1,27 @@
 //! Attributes as planes over the screen.
 //!
-//! With the differences (dx1, dy1, da1) and (dx2, dy2, da2) from one corner to the others and the doubled area
-//! A = dx1 dy2 - dx2 dy1, an attribute a changes along a row and down the rows by
+//! With the differences (dx1, dy1, da1) and (dx2, dy2, da2) from one corner to the others and the
+//! doubled area A = dx1 dy2 - dx2 dy1, an attribute a changes along a row and down the rows by
 //!
 //! ```text
 //!   da/dx = (da1 dy2 - da2 dy1) / A        da/dy = (da2 dx1 - da1 dx2) / A
 //! ```
 //!
-//! The numerators are twice the area of the triangle that one sees with a in the place of x or y, so that they are
-//! bounded by the range of a times the triangle's height or width. They are exact, and the quotients are worked out
-//! with one reciprocal a triangle.
+//! The numerators are twice the area of the triangle that one sees with a in the place of x or y,
+//! so that they are bounded by the range of a times the triangle's height or width. They are exact,
+//! and the quotients are worked out with one reciprocal a triangle.
 //!
 //! # Error
 //!
-//! An attribute of 16 bits is stepped with 16 more bits behind the point. Over a triangle that spans n pixels in x and y
-//! together its value at a centre is within 1/4 + 3/2 n / 2^16 + 2^S / 2^16 units of the exact plane, before it is rounded
-//! to the nearest: the reciprocal's 27 bits are enough for that unless a triangle is thin and steep, and then the gradient
-//! is divided exactly. An attribute of 32 bits is stepped with 18 more bits, always divided exactly: n / 2^18 units.
+//! An attribute of 16 bits is stepped with 16 more bits behind the point. Over a triangle that
+//! spans n pixels in x and y together its value at a centre is within 1/4 + 3/2 n / 2^16 + 2^S /
+//! 2^16 units of the exact plane, before it is rounded to the nearest: the reciprocal's 27 bits are
+//! enough for that unless a triangle is thin and steep, and then the gradient is divided exactly.
+//! An attribute of 32 bits is stepped with 18 more bits, always divided exactly: n / 2^18 units.
 //!
-//! Gradients of slivers can be astronomical. Steps wrap modulo 2^32, and at a covered centre the value is back between
-//! those of the corners, so that it comes out right: it is sampled there and nowhere else.
+//! Gradients of slivers can be astronomical. Steps wrap modulo 2^32, and at a covered centre the
+//! value is back between those of the corners, so that it comes out right: it is sampled there and
+//! nowhere else.
 
 use core::marker::PhantomData;
 
@@ -115,7 +117,8 @@ impl<T: Step> Plane<T> {
         row.plus(self.per_column.times(columns))
     }
 
-    /// The same function of addresses and rows, where a row has `pitch` addresses and its first pixel the address 0.
+    /// The same function of addresses and rows, where a row has `pitch` addresses and its first
+    /// pixel the address 0.
     #[inline(always)]
     pub(super) fn over_addresses(&self, [columns, rows]: [i32; 2], pitch: i32) -> Self {
         Self {
@@ -133,7 +136,8 @@ pub trait Interpolate: Copy {
     /// What a shader sees of it.
     type Sample: Copy;
 
-    /// The plane through the values at a triangle's corners; without `quick` its gradients are divided exactly.
+    /// The plane through the values at a triangle's corners; without `quick` its gradients are
+    /// divided exactly.
     fn plane<S: Subpixel>(
         setup: &TriangleSetup<S>,
         quick: Option<QuickGradients>,
@@ -171,7 +175,8 @@ pub struct QuickGradients {
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
-    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in this order.
+    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in
+    /// this order.
     #[inline(always)]
     pub(super) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64) -> Self {
         let half = 1 << (S::BITS - 1);
@@ -193,7 +198,8 @@ impl<S: Subpixel> TriangleSetup<S> {
         let divisor = Divisor::new(self.area.unsigned_abs());
         let gradient = |[p, q]: [i32; 2], [r, s]: [i32; 2]| {
             let numerator = if S::BITS <= 4 {
-                // Twice an area in a box of 2^16 - 1 by 2^15 - 1: products may wrap, their difference does not.
+                // Twice an area in a box of 2^16 - 1 by 2^15 - 1: products may wrap, their
+                // difference does not.
                 i64::from(p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s)))
             } else {
                 i64::from(p) * i64::from(q) - i64::from(r) * i64::from(s)
@@ -226,11 +232,7 @@ impl<S: Subpixel> TriangleSetup<S> {
         };
         let [x, y] = self.numerators([a, b, c].map(i64::from)).map(gradient);
         let anchor = self.anchor((i64::from(a) << 18) + (1 << 17), x, y);
-        Plane {
-            anchor: anchor as u64,
-            per_column: x as u64,
-            per_row: y as u64,
-        }
+        Plane { anchor: anchor as u64, per_column: x as u64, per_row: y as u64 }
     }
 
     fn numerators(&self, [a, b, c]: [i64; 3]) -> [i64; 2] {
@@ -255,11 +257,13 @@ impl<S: Subpixel> TriangleSetup<S> {
         let [dx1, dx2] = self.dx;
         let [dy1, dy2] = self.dy;
         // Products may wrap, their difference does not.
-        let numerator = |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
+        let numerator =
+            |p: i32, q: i32, r: i32, s: i32| p.wrapping_mul(q).wrapping_sub(r.wrapping_mul(s));
         let QuickGradients { reciprocal, up, left } = quick;
         let x = mul_high(numerator(d1, dy2, d2, dy1) << up, reciprocal);
         let y = mul_high(numerator(d2, dx1, d1, dx2) << up, reciprocal);
-        // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below 2^30.
+        // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below
+        // 2^30.
         let [to_x, to_y] = self.to_anchor;
         let to_anchor = (x >> S::BITS) * to_x + (y >> S::BITS) * to_y;
         Plane {
@@ -277,8 +281,9 @@ const fn middle_of(a: u16) -> u32 {
 }
 
 impl QuickGradients {
-    /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and for those so thin and
-    /// long that the bits their gradients lack would add up. `extent` has no fewer bits than width and height.
+    /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and
+    /// for those so thin and long that the bits their gradients lack would add up. `extent` has
+    /// no fewer bits than width and height.
     #[inline(always)]
     pub(super) fn new<S: Subpixel>(area: i64, is_positive: bool, extent: u32) -> Option<Self> {
         if S::BITS > 4 && extent >> 15 != 0 {
@@ -286,28 +291,23 @@ impl QuickGradients {
         }
         let reciprocal = Reciprocal::of((area as i32).unsigned_abs());
         let (zeros, area_zeros) = (leading_zeros(extent), reciprocal.leading_zeros);
-        // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted left by k, add up to less
-        // than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k n <= 2^10. Width and height are both below
-        // 2^(32 - zeros) sub-pixels, and n below twice as many pixels.
+        // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted
+        // left by k, add up to less than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k
+        // n <= 2^10. Width and height are both below 2^(32 - zeros) sub-pixels, and n below
+        // twice as many pixels.
         if 2 * zeros < 26 + area_zeros {
             return None;
         }
-        // Numerators are below 2^16 times the extent, so that they can be shifted up by its leading zeros less 17.
-        // Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up - S - area_zeros), which is shifted by 8
-        // at most to the right, as an area is not larger than width times height. There the reciprocal is shifted instead,
-        // once: its lost last bit makes up to half a last bit of a gradient, as a shifted numerator is below 2^31.
+        // Numerators are below 2^16 times the extent, so that they can be shifted up by its leading
+        // zeros less 17. Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14
+        // + up - S - area_zeros), which is shifted by 8 at most to the right, as an area is
+        // not larger than width times height. There the reciprocal is shifted instead,
+        // once: its lost last bit makes up to half a last bit of a gradient, as a shifted numerator
+        // is below 2^31.
         let up = zeros - 17;
         let right = 14 + up as i32 - S::BITS as i32 - area_zeros as i32;
-        let mantissa = if is_positive {
-            reciprocal.mantissa
-        } else {
-            -reciprocal.mantissa
-        };
-        Some(Self {
-            reciprocal: mantissa >> right.max(0),
-            up,
-            left: (right.max(0) - right) as u32,
-        })
+        let mantissa = if is_positive { reciprocal.mantissa } else { -reciprocal.mantissa };
+        Some(Self { reciprocal: mantissa >> right.max(0), up, left: (right.max(0) - right) as u32 })
     }
 }
 
@@ -317,7 +317,11 @@ impl Interpolate for u16 {
     type Sample = U16F16;
 
     #[inline(always)]
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, quick: Option<QuickGradients>, corners: [Self; 3]) -> Plane<u32> {
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        corners: [Self; 3],
+    ) -> Plane<u32> {
         match quick {
             Some(quick) => setup.quick_plane(quick, corners),
             None => setup.exact_plane(corners),
@@ -341,7 +345,11 @@ impl Interpolate for u32 {
     type Accumulator = u64;
     type Sample = Self;
 
-    fn plane<S: Subpixel>(setup: &TriangleSetup<S>, _: Option<QuickGradients>, corners: [Self; 3]) -> Plane<u64> {
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        _: Option<QuickGradients>,
+        corners: [Self; 3],
+    ) -> Plane<u64> {
         setup.exact_wide_plane(corners)
     }
 
@@ -361,12 +369,12 @@ impl Interpolate for NoDepth {
     type Sample = ();
 
     #[inline(always)]
-    fn plane<S: Subpixel>(_: &TriangleSetup<S>, _: Option<QuickGradients>, _: [Self; 3]) -> Plane<()> {
-        Plane {
-            anchor: (),
-            per_column: (),
-            per_row: (),
-        }
+    fn plane<S: Subpixel>(
+        _: &TriangleSetup<S>,
+        _: Option<QuickGradients>,
+        _: [Self; 3],
+    ) -> Plane<()> {
+        Plane { anchor: (), per_column: (), per_row: () }
     }
 
     #[inline(always)]
@@ -396,7 +404,8 @@ impl<A: Interpolate, const N: usize> Interpolate for [A; N] {
         // Not `from_fn`, whose closure compilers call, with the set-up in memory for it.
         for i in 0..N {
             let plane = A::plane(setup, quick, [a[i], b[i], c[i]]);
-            (all.anchor[i], all.per_column[i], all.per_row[i]) = (plane.anchor, plane.per_column, plane.per_row);
+            (all.anchor[i], all.per_column[i], all.per_row[i]) =
+                (plane.anchor, plane.per_column, plane.per_row);
         }
         all
     }

@@ -1,13 +1,14 @@
 //! From a triangle on the screen to spans of covered pixels.
 //!
-//! Coverage is exact. A pixel is covered if its centre lies inside the triangle; a centre on an edge belongs to the
-//! triangle whose top or left edge it is (Direct3D 11 functional specification 3.4.1), so that triangles which share
-//! an edge share no pixel and leave none out. It is decided on the snapped vertices by integer edge functions that are
-//! stepped from row to row without any rounding (edge).
+//! Coverage is exact. A pixel is covered if its centre lies inside the triangle; a centre on an
+//! edge belongs to the triangle whose top or left edge it is (Direct3D 11 functional specification
+//! 3.4.1), so that triangles which share an edge share no pixel and leave none out. It is decided
+//! on the snapped vertices by integer edge functions that are stepped from row to row without any
+//! rounding (edge).
 //!
-//! Attributes are planes over the screen, set up from the snapped vertices, evaluated at covered centres only
-//! (gradient). This module knows nothing of colours, buffers and displays: a [`Triangle`] visits its
-//! [`Span`]s.
+//! Attributes are planes over the screen, set up from the snapped vertices, evaluated at covered
+//! centres only (gradient). This module knows nothing of colours, buffers and displays: a
+//! [`Triangle`] visits its [`Span`]s.
 
 mod edge;
 mod gradient;

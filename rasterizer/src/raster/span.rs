@@ -48,7 +48,8 @@ impl Window {
     }
 }
 
-/// Where the pixels of a window lie in a row of addresses: at `row * pitch + column - origin`, which is never negative.
+/// Where the pixels of a window lie in a row of addresses: at `row * pitch + column - origin`,
+/// which is never negative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Layout {
     /// The addresses from a row to the next.
@@ -65,7 +66,8 @@ impl Layout {
     }
 }
 
-/// Covered pixels of one row, with the attributes at the first one's centre and their change from pixel to pixel.
+/// Covered pixels of one row, with the attributes at the first one's centre and their change from
+/// pixel to pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Span<D: Interpolate, V: Interpolate> {
     /// The row, from the display's upper edge.

@@ -12,17 +12,20 @@ use crate::{
     numbers::IS_NARROW,
 };
 
-/// Twice the area of a triangle on the screen in square sub-pixels: negative if its corners run counter-clockwise, as y
-/// runs downwards. Exact.
+/// Twice the area of a triangle on the screen in square sub-pixels: negative if its corners run
+/// counter-clockwise, as y runs downwards. Exact.
 #[inline(always)]
 #[must_use]
 pub fn signed_area<S: Subpixel, D, V>([a, b, c]: [&ScreenVertex<S, D, V>; 3]) -> i64 {
     let (dx1, dy1) = (b.x - a.x, b.y - a.y);
     let (dx2, dy2) = (c.x - a.x, c.y - a.y);
     let half = 1 << 15;
-    if S::BITS <= 4 || (IS_NARROW && ((dx1 + half) | (dy1 + half) | (dx2 + half) | (dy2 + half)) as u32 >> 16 == 0) {
-        // At most the area of the guard band's square in sixteenths, 2^30, where the products may wrap; or the difference
-        // of products of 16 bits.
+    if S::BITS <= 4
+        || (IS_NARROW
+            && ((dx1 + half) | (dy1 + half) | (dx2 + half) | (dy2 + half)) as u32 >> 16 == 0)
+    {
+        // At most the area of the guard band's square in sixteenths, 2^30, where the products may
+        // wrap; or the difference of products of 16 bits.
         i64::from(dx1.wrapping_mul(dy2).wrapping_sub(dx2.wrapping_mul(dy1)))
     } else {
         i64::from(dx1) * i64::from(dy2) - i64::from(dx2) * i64::from(dy1)
@@ -54,8 +57,8 @@ where
         Self { corners, area }
     }
 
-    /// Visits its pixels that lie in `window`, row by row from the top, with their addresses in `layout`; a triangle without
-    /// area has none.
+    /// Visits its pixels that lie in `window`, row by row from the top, with their addresses in
+    /// `layout`; a triangle without area has none.
     ///
     /// # Errors
     ///
@@ -97,27 +100,46 @@ where
         let (anchor_column, anchor_row) = (top.x >> S::BITS, top.y >> S::BITS);
         // From the anchor to the pixel at address 0 of the display's first row.
         let to_first = [layout.origin - anchor_column, -anchor_row];
-        let quick = QuickGradients::new::<S>(self.area, middle_is_right, ((right - left) | (bottom.y - top.y)) as u32);
-        // What is used once a row stays in memory, from where it is worked out: compilers would rather keep it in registers
-        // and spill what is used for every pixel (18 instead of 15 instructions a pixel on the Cortex-M4).
+        let quick = QuickGradients::new::<S>(
+            self.area,
+            middle_is_right,
+            ((right - left) | (bottom.y - top.y)) as u32,
+        );
+        // What is used once a row stays in memory, from where it is worked out: compilers would
+        // rather keep it in registers and spill what is used for every pixel (18 instead of
+        // 15 instructions a pixel on the Cortex-M4).
         let (mut depth, mut varyings);
         if quick.is_some() {
-            let setup = TriangleSetup::<S>::new([at(top), at(middle), at(bottom)], middle_is_right, self.area);
-            depth =
-                D::plane(&setup, quick, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, layout.pitch);
+            let setup = TriangleSetup::<S>::new(
+                [at(top), at(middle), at(bottom)],
+                middle_is_right,
+                self.area,
+            );
+            depth = D::plane(&setup, quick, [top.depth, middle.depth, bottom.depth])
+                .over_addresses(to_first, layout.pitch);
             black_box(&mut depth);
             varyings = V::plane(&setup, quick, [top.varyings, middle.varyings, bottom.varyings])
                 .over_addresses(to_first, layout.pitch);
         } else {
-            (depth, varyings) = exact_planes(top, middle, bottom, middle_is_right, self.area, to_first, layout.pitch);
+            (depth, varyings) = exact_planes(
+                top,
+                middle,
+                bottom,
+                middle_is_right,
+                self.area,
+                to_first,
+                layout.pitch,
+            );
         }
         black_box(&mut varyings);
 
         let mut row = first_row;
-        // The long edge stays; the short one on the other side gives way to the next at the middle corner's row.
+        // The long edge stays; the short one on the other side gives way to the next at the middle
+        // corner's row.
         let mut long = Edge::new::<S>(at(top), at(bottom), row, &layout);
         black_box(&mut long);
-        let (mut upper, mut lower, mut end) = (top, middle, first_center::<S>(middle.y).min(end_row));
+        let (mut upper, mut lower, mut end) =
+            (top, middle, first_center::<S>(middle.y).min(end_row));
         if row >= end {
             (upper, lower, end) = (middle, bottom, end_row);
         }
@@ -135,7 +157,8 @@ where
                     start = start.max(address + window.left);
                     end = end.min(address + window.right).max(start);
                 }
-                // No address is negative, and targets that compare them so know then that `start` is the lesser.
+                // No address is negative, and targets that compare them so know then that `start`
+                // is the lesser.
                 if (start as usize) < end as usize {
                     visit(&Span {
                         row,
@@ -159,8 +182,8 @@ where
     }
 }
 
-/// The planes of depth and varyings over addresses, by exact divisions. The corners come one by one: an array of them would
-/// be put into memory before it is known whether it is needed.
+/// The planes of depth and varyings over addresses, by exact divisions. The corners come one by
+/// one: an array of them would be put into memory before it is known whether it is needed.
 #[cold]
 #[inline(never)]
 fn exact_planes<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpolate>(
@@ -175,8 +198,10 @@ fn exact_planes<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpo
     let corners = [[top.x, top.y], [middle.x, middle.y], [bottom.x, bottom.y]];
     let setup = TriangleSetup::<S>::new(corners, is_positive, area);
     (
-        D::plane(&setup, None, [top.depth, middle.depth, bottom.depth]).over_addresses(to_first, pitch),
-        V::plane(&setup, None, [top.varyings, middle.varyings, bottom.varyings]).over_addresses(to_first, pitch),
+        D::plane(&setup, None, [top.depth, middle.depth, bottom.depth])
+            .over_addresses(to_first, pitch),
+        V::plane(&setup, None, [top.varyings, middle.varyings, bottom.varyings])
+            .over_addresses(to_first, pitch),
     )
 }
 
@@ -199,30 +224,23 @@ mod tests {
         layout: Layout,
     ) -> Covered<D, V> {
         let mut covered = vec![];
-        let Ok(()) = Triangle::new(corners, signed_area(corners)).for_each_span(&WINDOW, layout, |span| {
-            let (mut depth, mut varyings) = (span.depth, span.varyings);
-            for address in span.start..span.end {
-                let column = address as i32 + layout.origin - span.row * layout.pitch;
-                covered.push((column, span.row, D::value(depth), V::value(varyings)));
-                depth = depth.plus(span.depth_step);
-                varyings = varyings.plus(span.varyings_step);
-            }
-            Ok::<(), core::convert::Infallible>(())
-        });
+        let Ok(()) =
+            Triangle::new(corners, signed_area(corners)).for_each_span(&WINDOW, layout, |span| {
+                let (mut depth, mut varyings) = (span.depth, span.varyings);
+                for address in span.start..span.end {
+                    let column = address as i32 + layout.origin - span.row * layout.pitch;
+                    covered.push((column, span.row, D::value(depth), V::value(varyings)));
+                    depth = depth.plus(span.depth_step);
+                    varyings = varyings.plus(span.varyings_step);
+                }
+                Ok::<(), core::convert::Infallible>(())
+            });
         covered
     }
 
-    const LAYOUT: Layout = Layout {
-        pitch: 0,
-        origin: WINDOW.left,
-    };
+    const LAYOUT: Layout = Layout { pitch: 0, origin: WINDOW.left };
 
-    const WINDOW: Window = Window {
-        left: -20,
-        top: -30,
-        right: 300,
-        bottom: 200,
-    };
+    const WINDOW: Window = Window { left: -20, top: -30, right: 300, bottom: 200 };
 
     /// Whether a centre is covered, by three edge functions and the top-left rule in 64 bits.
     fn is_covered([a, b, c]: [[i32; 2]; 3], area: i64, column: i32, row: i32, bits: u32) -> bool {
@@ -240,21 +258,24 @@ mod tests {
         })
     }
 
-    /// Draws one triangle and compares coverage with the definition, depth and a varying with the exact plane.
+    /// Draws one triangle and compares coverage with the definition, depth and a varying with the
+    /// exact plane.
     fn check<S: Subpixel>(corners: [[i32; 2]; 3], values: [u16; 3]) {
         let [a, b, c] = [0, 1, 2].map(|i| {
             let [x, y] = corners[i];
-            ScreenVertex::<S, u32, [u16; 1]>::checked(x, y, u32::from(values[i]) << 16 | 0x1234, [values[i]]).unwrap()
+            ScreenVertex::<S, u32, [u16; 1]>::checked(
+                x,
+                y,
+                u32::from(values[i]) << 16 | 0x1234,
+                [values[i]],
+            )
+            .unwrap()
         });
         let area = signed_area([&a, &b, &c]);
         let pixels = cover([&a, &b, &c], LAYOUT);
         // The rows of a frame of 320 columns whose first pixel is the window's.
         let (pitch, origin) = (320, WINDOW.top * 320 + WINDOW.left);
-        assert_eq!(
-            pixels,
-            cover([&a, &b, &c], Layout { pitch, origin }),
-            "{corners:?} in rows"
-        );
+        assert_eq!(pixels, cover([&a, &b, &c], Layout { pitch, origin }), "{corners:?} in rows");
         let mut covered = pixels.iter();
         for row in WINDOW.top..WINDOW.bottom {
             for column in WINDOW.left..WINDOW.right {
@@ -277,7 +298,8 @@ mod tests {
                     sum as f64 / area as f64
                 };
                 let exact = plane(values.map(i128::from));
-                // Half a unit of rounding; of error, 0.35 units by the bound for 4,096 pixels, less than 0.32 in all these.
+                // Half a unit of rounding; of error, 0.35 units by the bound for 4,096 pixels, less
+                // than 0.32 in all these.
                 assert!(
                     (f64::from(value) - exact).abs() < 0.82,
                     "{corners:?} {values:?}: {value} {exact}"
@@ -332,13 +354,12 @@ mod tests {
     }
 
     fn check_small<S: Subpixel>(corners: [[i32; 2]; 3]) {
-        let vertices = corners.map(|[x, y]| ScreenVertex::<S, u16, [u16; 0]>::checked(x, y, 65_535, []).unwrap());
+        let vertices = corners
+            .map(|[x, y]| ScreenVertex::<S, u16, [u16; 0]>::checked(x, y, 65_535, []).unwrap());
         let [a, b, c] = &vertices;
         let area = signed_area([a, b, c]);
-        let got: Vec<_> = cover([a, b, c], LAYOUT)
-            .iter()
-            .map(|&(x, y, depth, _)| (x, y, depth))
-            .collect();
+        let got: Vec<_> =
+            cover([a, b, c], LAYOUT).iter().map(|&(x, y, depth, _)| (x, y, depth)).collect();
         let mut want = vec![];
         for row in -2..4 {
             for column in -2..4 {

@@ -1,8 +1,9 @@
 //! Which triangles reach which band of rows, found out once a frame.
 //!
-//! A frame in bands looks at each triangle once a band, and most of them reach one or two. One bit for each triangle and
-//! band says which: a size that is known before the picture is, and an order that stays the mesh's, so that ties of
-//! depth, and pictures without depth, come out as in the whole frame.
+//! A frame in bands looks at each triangle once a band, and most of them reach one or two. One bit
+//! for each triangle and band says which: a size that is known before the picture is, and an order
+//! that stays the mesh's, so that ties of depth, and pictures without depth, come out as in the
+//! whole frame.
 
 use core::ops::Range;
 
@@ -26,17 +27,21 @@ pub const fn bin_words(triangle_count: usize, viewport_rows: u32, band_rows: u32
 #[derive(Clone, Copy, Debug)]
 pub struct Binned<'b, 'a, V, P: Projection, Sh: Shader, K = CullBack, L = ClipAll> {
     seen: Projected<'a, V, P, Sh, K, L>,
-    /// For each 32 triangles a word for each band; the most significant bit is the first triangle's.
+    /// For each 32 triangles a word for each band; the most significant bit is the first
+    /// triangle's.
     words: &'b [u32],
     bands: Bands,
 }
 
-impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V, P, Sh, K, L> {
-    /// Sorts the triangles into bands of `band_rows` rows each, at least one, from the viewport's top: after that a
-    /// target is drawn without a look at the triangles that do not reach the bands that it lies in.
+impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping>
+    Projected<'a, V, P, Sh, K, L>
+{
+    /// Sorts the triangles into bands of `band_rows` rows each, at least one, from the viewport's
+    /// top: after that a target is drawn without a look at the triangles that do not reach the
+    /// bands that it lies in.
     ///
-    /// Targets may be any rows; bands like those of the bins take the least time. [`bin_words`] counts the words that
-    /// `storage` must have.
+    /// Targets may be any rows; bands like those of the bins take the least time. [`bin_words`]
+    /// counts the words that `storage` must have.
     ///
     /// # Errors
     ///
@@ -58,15 +63,13 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Cl
                 mark(words, FIRST >> (index % 32));
             }
         });
-        Ok(Binned {
-            seen: self,
-            words,
-            bands,
-        })
+        Ok(Binned { seen: self, words, bands })
     }
 }
 
-impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping> Binned<'_, 'a, V, P, Sh, K, L> {
+impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping>
+    Binned<'_, 'a, V, P, Sh, K, L>
+{
     /// The object without its bins.
     #[must_use]
     pub const fn projected(&self) -> &Projected<'a, V, P, Sh, K, L> {
@@ -78,15 +81,17 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Cl
     /// # Errors
     ///
     /// What the target says, at once.
-    pub fn draw<T: Target<Color = Sh::Color, Depth = V::Depth>>(&self, target: &mut T) -> Result<(), T::Error> {
+    pub fn draw<T: Target<Color = Sh::Color, Depth = V::Depth>>(
+        &self,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
         let viewport = self.seen.viewport();
         let window = target.window().intersection(viewport);
         if window.is_empty() {
             return Ok(());
         }
         let bands = self.bands.reached(&window, viewport);
-        self.seen
-            .draw_those(target, |run| Marked::new(self.words, self.bands.count, &bands, run))
+        self.seen.draw_those(target, |run| Marked::new(self.words, self.bands.count, &bands, run))
     }
 }
 
@@ -113,9 +118,10 @@ struct Bands {
 impl Bands {
     /// Of a viewport of up to 2^11 rows.
     ///
-    /// With n = 20 + ⌊log2 height⌋ and m = ⌈2^n / height⌉, m height - 2^n = e < height: row m / 2^n is row / height plus
-    /// row e / (2^n height), which stays below 1 / height, and so below the next integer, as row e < 2^11 height < 2^n.
-    /// All of it fits 32 bits: m <= 2^20, and n <= 31.
+    /// With n = 20 + ⌊log2 height⌋ and m = ⌈2^n / height⌉, m height - 2^n = e < height: row m / 2^n
+    /// is row / height plus row e / (2^n height), which stays below 1 / height, and so below
+    /// the next integer, as row e < 2^11 height < 2^n. All of it fits 32 bits: m <= 2^20, and n
+    /// <= 31.
     const fn new(viewport_rows: u32, band_rows: u32) -> Self {
         let height = if band_rows == 0 {
             1
@@ -213,7 +219,11 @@ mod tests {
                 let bands = Bands::new(rows, height);
                 assert_eq!(bands.count, rows.div_ceil(height) as usize);
                 for row in 0..rows {
-                    assert_eq!(bands.of(row as i32), (row / height) as usize, "row {row} by {height}");
+                    assert_eq!(
+                        bands.of(row as i32),
+                        (row / height) as usize,
+                        "row {row} by {height}"
+                    );
                 }
             }
         }

@@ -10,7 +10,8 @@ pub enum ProjectError {
         /// How many the mesh has.
         needed: usize,
     },
-    /// There are fewer words than the bands' bits take, as [`bin_words`](super::bin_words) counts them.
+    /// There are fewer words than the bands' bits take, as [`bin_words`](super::bin_words) counts
+    /// them.
     BinStorage {
         /// How many they take.
         needed: usize,
@@ -34,15 +35,21 @@ impl From<PoseError> for ProjectError {
 impl core::fmt::Display for ProjectError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::VertexStorage { needed } => write!(f, "the mesh needs storage for {needed} vertices"),
-            Self::BinStorage { needed } => write!(f, "the bands need {needed} words for their triangles"),
+            Self::VertexStorage { needed } => {
+                write!(f, "the mesh needs storage for {needed} vertices")
+            }
+            Self::BinStorage { needed } => {
+                write!(f, "the bands need {needed} words for their triangles")
+            }
             Self::NoVertexNormals => {
                 f.write_str("the shader needs vertex normals, which the mesh was converted without")
             }
-            Self::NoFaceNormals => f.write_str("the shader needs face normals, which the mesh was converted without"),
-            Self::NoTextureCoordinates => {
-                f.write_str("the shader needs texture coordinates, which the mesh was converted without")
+            Self::NoFaceNormals => {
+                f.write_str("the shader needs face normals, which the mesh was converted without")
             }
+            Self::NoTextureCoordinates => f.write_str(
+                "the shader needs texture coordinates, which the mesh was converted without",
+            ),
             Self::Pose(error) => error.fmt(f),
         }
     }
@@ -77,7 +84,10 @@ impl<E: core::fmt::Display> core::fmt::Display for DrawError<E> {
 impl<E: core::error::Error> core::error::Error for DrawError<E> {}
 
 /// Whether the mesh has the tables that a shader reads.
-pub(super) const fn check_tables(tables: &Tables<'_>, required: RequiredTables) -> Result<(), ProjectError> {
+pub(super) const fn check_tables(
+    tables: &Tables<'_>,
+    required: RequiredTables,
+) -> Result<(), ProjectError> {
     if required.vertex_normals && tables.vertex_normals.is_empty() {
         Err(ProjectError::NoVertexNormals)
     } else if required.face_normals && tables.face_normals.is_empty() {

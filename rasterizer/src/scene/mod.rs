@@ -1,9 +1,10 @@
 //! Objects, and the two steps of drawing one: project its vertices, then draw its triangles.
 //!
-//! A frame of several objects with different shaders is so many calls of [`Object::draw`], each compiled for its shader.
-//! Where the frame is drawn in bands, [`Object::project`] does the work on the vertices once, [`Projected::binned`] finds
-//! out which triangles reach which band, and [`Binned::draw`] is called for each. [`Object::walk`] does without storage
-//! for the vertices. [`Needs`] says beforehand how much memory all of it takes.
+//! A frame of several objects with different shaders is so many calls of [`Object::draw`], each
+//! compiled for its shader. Where the frame is drawn in bands, [`Object::project`] does the work on
+//! the vertices once, [`Projected::binned`] finds out which triangles reach which band, and
+//! [`Binned::draw`] is called for each. [`Object::walk`] does without storage for the vertices.
+//! [`Needs`] says beforehand how much memory all of it takes.
 
 mod bins;
 mod error;
@@ -19,7 +20,9 @@ pub use vertices::{Vertices, Walked};
 
 use crate::{
     camera::Camera,
-    geometry::{ClipAll, Clipping, CullBack, Culling, DepthFormat, Pose, Projection, ScreenVertex, Subpixel},
+    geometry::{
+        ClipAll, Clipping, CullBack, Culling, DepthFormat, Pose, Projection, ScreenVertex, Subpixel,
+    },
     mesh::Mesh,
     raster::Interpolate,
     shade::Shader,
@@ -31,7 +34,8 @@ pub type Stored<'v, 'a, S, D, P, Sh, K = CullBack, L = ClipAll> =
     Projected<'a, &'v [ScreenVertex<S, D, <Sh as Shader>::Varyings>], P, Sh, K, L>;
 
 /// An object whose vertices are worked out when they are needed: what [`Object::walk`] gives.
-pub type Unstored<'a, S, D, P, Sh, K = CullBack, L = ClipAll> = Projected<'a, Walked<S, D>, P, Sh, K, L>;
+pub type Unstored<'a, S, D, P, Sh, K = CullBack, L = ClipAll> =
+    Projected<'a, Walked<S, D>, P, Sh, K, L>;
 
 /// A mesh in a pose, with a shader, and with back faces, front faces or no faces left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -47,13 +51,7 @@ impl<'a, Sh: Shader> Object<'a, Sh> {
     /// A mesh as it was modelled, at the origin, without its back faces.
     #[must_use]
     pub const fn new(mesh: &'a Mesh<'a>, shader: Sh) -> Self {
-        Self {
-            mesh,
-            pose: Pose::IDENTITY,
-            shader,
-            culling: CullBack,
-            clipping: ClipAll,
-        }
+        Self { mesh, pose: Pose::IDENTITY, shader, culling: CullBack, clipping: ClipAll }
     }
 }
 
@@ -64,8 +62,8 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
         Self { pose, ..self }
     }
 
-    /// The same object with other faces left out: [`CullBack`], [`CullFront`](crate::geometry::CullFront) or
-    /// [`CullNone`](crate::geometry::CullNone).
+    /// The same object with other faces left out: [`CullBack`],
+    /// [`CullFront`](crate::geometry::CullFront) or [`CullNone`](crate::geometry::CullNone).
     #[must_use]
     pub fn culled<M: Culling>(self, culling: M) -> Object<'a, Sh, M, L> {
         Object {
@@ -77,12 +75,13 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
         }
     }
 
-    /// The same object with triangles that reach beyond the near plane, the far plane or the guard band cut
-    /// ([`ClipAll`]) or left out ([`ClipNone`](crate::geometry::ClipNone)).
+    /// The same object with triangles that reach beyond the near plane, the far plane or the guard
+    /// band cut ([`ClipAll`]) or left out ([`ClipNone`](crate::geometry::ClipNone)).
     ///
-    /// An object that always stays between them is drawn alike without the code that cuts triangles. Nor is it looked
-    /// beforehand whether all of it lies outside the picture: [`Projected::is_hidden`] says no, and its triangles turn out
-    /// to miss the picture one by one.
+    /// An object that always stays between them is drawn alike without the code that cuts
+    /// triangles. Nor is it looked beforehand whether all of it lies outside the picture:
+    /// [`Projected::is_hidden`] says no, and its triangles turn out to miss the picture one by
+    /// one.
     ///
     /// ```
     /// # use embedded_graphics_core::pixelcolor::Rgb565;
@@ -119,12 +118,13 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
 
     /// Works out where the camera sees its vertices, once for a frame.
     ///
-    /// `storage` has room for all vertices of the mesh; its type says how finely they are placed ([`S4`] or [`S8`]).
+    /// `storage` has room for all vertices of the mesh; its type says how finely they are placed
+    /// ([`S4`] or [`S8`]).
     ///
     /// # Errors
     ///
-    /// If the storage is too small, the mesh lacks a table that the shader reads, or the object is too large or too far
-    /// away for the camera's numbers.
+    /// If the storage is too small, the mesh lacks a table that the shader reads, or the object is
+    /// too large or too far away for the camera's numbers.
     ///
     /// [`S4`]: crate::geometry::S4
     /// [`S8`]: crate::geometry::S8
@@ -149,13 +149,14 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
         storage.get_mut(..needed).ok_or(ProjectError::VertexStorage { needed })
     }
 
-    /// The object as the camera sees it, without storage for its vertices: each is worked out when a triangle needs it,
-    /// in the precision given ([`S4`] or [`S8`]), and the same pixels are drawn as after [`project`](Self::project).
+    /// The object as the camera sees it, without storage for its vertices: each is worked out when
+    /// a triangle needs it, in the precision given ([`S4`] or [`S8`]), and the same pixels are
+    /// drawn as after [`project`](Self::project).
     ///
     /// # Errors
     ///
-    /// If the mesh lacks a table that the shader reads, or the object is too large or too far away for the camera's
-    /// numbers.
+    /// If the mesh lacks a table that the shader reads, or the object is too large or too far away
+    /// for the camera's numbers.
     ///
     /// [`S4`]: crate::geometry::S4
     /// [`S8`]: crate::geometry::S8
@@ -184,7 +185,8 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
     where
         T::Depth: DepthFormat + Interpolate,
     {
-        // What `project` returns would be copied, and both copies stay on the stack while triangles are drawn.
+        // What `project` returns would be copied, and both copies stay on the stack while triangles
+        // are drawn.
         let vertices = self.room_in(storage)?;
         let mut seen = Projected::new(self, camera, &[][..]);
         seen.check().map_err(ProjectError::from)?;

@@ -56,7 +56,8 @@ impl Needs {
         }
     }
 
-    /// The bytes of all three together, with sub-pixels `S`, depth `D`, and the colour and the varyings of a shader.
+    /// The bytes of all three together, with sub-pixels `S`, depth `D`, and the colour and the
+    /// varyings of a shader.
     #[must_use]
     pub const fn bytes<S, D, Sh: Shader>(&self) -> usize {
         self.vertices * size_of::<ScreenVertex<S, D, Sh::Varyings>>()

@@ -12,8 +12,8 @@ use super::{Object, Vertices, Walked, vertices::Lookup};
 use crate::{
     camera::Camera,
     geometry::{
-        ClipAll, ClipVertex, Clipping, CullBack, Culling, DepthFormat, MAX_CORNERS, PoseError, Projection,
-        ScreenVertex, Subpixel, Transform, clip,
+        ClipAll, ClipVertex, Clipping, CullBack, Culling, DepthFormat, MAX_CORNERS, PoseError,
+        Projection, ScreenVertex, Subpixel, Transform, clip,
     },
     mesh::{Material, Tables},
     raster::{Triangle, Window, first_center, signed_area},
@@ -26,7 +26,8 @@ type Corners<'s, S, D, Sh> = [&'s ScreenVertex<S, D, <Sh as Shader>::Varyings>; 
 /// The corners of a clipped triangle.
 type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, <Sh as Shader>::Varyings>, MAX_CORNERS>;
 
-/// An object as the camera sees it; it can be drawn into any number of targets, such as the bands of a frame.
+/// An object as the camera sees it; it can be drawn into any number of targets, such as the bands
+/// of a frame.
 ///
 /// `V` is where its vertices come from: the storage that they were projected into, or [`Walked`].
 #[derive(Clone, Copy, Debug)]
@@ -35,7 +36,8 @@ pub struct Projected<'a, V, P: Projection, Sh: Shader, K = CullBack, L = ClipAll
     shader: Sh,
     transform: Transform<P>,
     vertices: V,
-    /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices. Without clipping nobody asks.
+    /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices.
+    /// Without clipping nobody asks.
     is_hidden: bool,
     viewport: Window,
     choices: PhantomData<(K, L)>,
@@ -93,12 +95,7 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V,
 
     /// Width and height of the viewport in pixels.
     const fn size(&self) -> [i32; 2] {
-        let Window {
-            left,
-            top,
-            right,
-            bottom,
-        } = self.viewport;
+        let Window { left, top, right, bottom } = self.viewport;
         [right - left, bottom - top]
     }
 }
@@ -121,8 +118,16 @@ impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: 
     }
 }
 
-impl<'a, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: Clipping, const N: usize>
-    Projected<'a, Walked<S, D, N>, P, Sh, K, L>
+impl<
+    'a,
+    S: Subpixel,
+    D: DepthFormat,
+    P: Projection,
+    Sh: Shader,
+    K: Culling,
+    L: Clipping,
+    const N: usize,
+> Projected<'a, Walked<S, D, N>, P, Sh, K, L>
 {
     /// The same with another number of vertices on the stack.
     #[must_use]
@@ -132,17 +137,23 @@ impl<'a, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: 
     }
 }
 
-impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'_, V, P, Sh, K, L> {
+impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping>
+    Projected<'_, V, P, Sh, K, L>
+{
     /// Draws its triangles in the mesh's order.
     ///
     /// # Errors
     ///
     /// What the target says, at once.
-    pub fn draw<T: Target<Color = Sh::Color, Depth = V::Depth>>(&self, target: &mut T) -> Result<(), T::Error> {
+    pub fn draw<T: Target<Color = Sh::Color, Depth = V::Depth>>(
+        &self,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
         self.draw_those(target, |run| run)
     }
 
-    /// Draws some of its triangles: those that `chosen` picks, in their order, from each material's run.
+    /// Draws some of its triangles: those that `chosen` picks, in their order, from each material's
+    /// run.
     pub(super) fn draw_those<T, I>(
         &self,
         target: &mut T,
@@ -163,33 +174,41 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             let end = first + material.triangle_count as usize;
             // Worked out when the first triangle needs it: in a band most materials are not seen.
             let mut surface = None;
-            self.for_each_visible(first..end, &mut chosen, rows, &mut lookup, |index, corners, area| {
-                if surface.is_none() {
-                    self.prepare(material, &mut surface);
-                }
-                // `prepare` has put it there.
-                let Some(surface) = &surface else { return Ok(()) };
-                let triangle = Triangle::new(corners, area);
-                match self.shader.face(surface, &MeshFace::new(self.tables, index)) {
-                    Some(color) => target.fill(triangle, &window, color),
-                    None => target.shade(triangle, &window, |varyings| self.shader.pixel(surface, varyings)),
-                }
-            })?;
+            self.for_each_visible(
+                first..end,
+                &mut chosen,
+                rows,
+                &mut lookup,
+                |index, corners, area| {
+                    if surface.is_none() {
+                        self.prepare(material, &mut surface);
+                    }
+                    // `prepare` has put it there.
+                    let Some(surface) = &surface else { return Ok(()) };
+                    let triangle = Triangle::new(corners, area);
+                    match self.shader.face(surface, &MeshFace::new(self.tables, index)) {
+                        Some(color) => target.fill(triangle, &window, color),
+                        None => target.shade(triangle, &window, |varyings| {
+                            self.shader.pixel(surface, varyings)
+                        }),
+                    }
+                },
+            )?;
             first = end;
         }
         Ok(())
     }
 
-    /// Puts a material's surface in place. A function of its own: compilers copy it once or twice on the way, and the stack
-    /// that takes is free again when triangles are drawn.
+    /// Puts a material's surface in place. A function of its own: compilers copy it once or twice
+    /// on the way, and the stack that takes is free again when triangles are drawn.
     #[inline(never)]
     fn prepare(&self, material: &Material, surface: &mut Option<Sh::Surface>) {
         *surface = Some(self.shader.surface(material));
     }
 
-    /// Visits the triangles that [`draw`](Self::draw) draws, in its order: those that are left of the mesh's after
-    /// culling and clipping, with their place in the mesh's table and their corners on the screen. A triangle that is
-    /// clipped may leave several.
+    /// Visits the triangles that [`draw`](Self::draw) draws, in its order: those that are left of
+    /// the mesh's after culling and clipping, with their place in the mesh's table and their
+    /// corners on the screen. A triangle that is clipped may leave several.
     ///
     /// # Errors
     ///
@@ -208,8 +227,9 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         )
     }
 
-    /// The rectangle of the pixels that its triangles may touch, as far as they lie in the viewport: a frame or bands
-    /// of it and of the one before are all that has to be drawn and sent anew.
+    /// The rectangle of the pixels that its triangles may touch, as far as they lie in the
+    /// viewport: a frame or bands of it and of the one before are all that has to be drawn and
+    /// sent anew.
     #[must_use]
     pub fn bounds(&self) -> Option<Rectangle> {
         let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);
@@ -218,11 +238,12 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             high = [high[0].max(touched.right), high[1].max(touched.bottom)];
         });
         let size = |axis: usize| (high[axis] - low[axis]) as u32;
-        (low[0] < high[0]).then(|| Rectangle::new(Point::new(low[0], low[1]), Size::new(size(0), size(1))))
+        (low[0] < high[0])
+            .then(|| Rectangle::new(Point::new(low[0], low[1]), Size::new(size(0), size(1))))
     }
 
-    /// Visits the triangles that may touch pixels of the viewport, with the smallest window round the centres inside
-    /// them. A triangle that is clipped may be visited several times.
+    /// Visits the triangles that may touch pixels of the viewport, with the smallest window round
+    /// the centres inside them. A triangle that is clipped may be visited several times.
     pub(super) fn for_each_touching(&self, mut visit: impl FnMut(usize, &Window)) {
         let (all, rows) = (0..self.triangle_count(), Rows::of::<V::Subpixel>(&self.viewport));
         let Ok(()) = self.for_each_visible(
@@ -240,8 +261,8 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         );
     }
 
-    /// Visits those triangles that `chosen` picks from a run and that are seen and may reach `rows`, with their signed areas.
-    /// A function of its own: the loop needs its registers.
+    /// Visits those triangles that `chosen` picks from a run and that are seen and may reach
+    /// `rows`, with their signed areas. A function of its own: the loop needs its registers.
     #[inline(never)]
     fn for_each_visible<E, I: Iterator<Item = usize>>(
         &self,
@@ -260,7 +281,9 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             let Some(indices) = table.get(index) else {
                 break;
             };
-            let place = |index| on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index));
+            let place = |index| {
+                on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
+            };
             let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
@@ -298,8 +321,10 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
     }
 
-    /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the same plane.
-    // The fold of the box's test: in one function with it, it took 230 bytes more of a parallel projection's stack.
+    /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the
+    /// same plane.
+    // The fold of the box's test: in one function with it, it took 230 bytes more of a parallel
+    // projection's stack.
     #[cold]
     #[inline(never)]
     fn hides(&self, index: usize) -> bool {
@@ -312,8 +337,8 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         beyond_all != 0
     }
 
-    /// What near plane, far plane and guard band leave of a triangle, into a polygon that is still empty: one that is
-    /// returned is copied.
+    /// What near plane, far plane and guard band leave of a triangle, into a polygon that is still
+    /// empty: one that is returned is copied.
     #[cold]
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
@@ -331,7 +356,8 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     }
 }
 
-/// The pixels of a camera's viewport, which is nowhere near the ends of `i32`: 40 bytes of flash less than `Window::new`.
+/// The pixels of a camera's viewport, which is nowhere near the ends of `i32`: 40 bytes of flash
+/// less than `Window::new`.
 const fn camera_window(viewport: &Rectangle) -> Window {
     let (corner, size) = (viewport.top_left, viewport.size);
     Window {
@@ -342,8 +368,8 @@ const fn camera_window(viewport: &Rectangle) -> Window {
     }
 }
 
-/// Works out the vertices on the screen, as many as there is room for. A function of its own: the loop needs its
-/// registers.
+/// Works out the vertices on the screen, as many as there is room for. A function of its own: the
+/// loop needs its registers.
 #[inline(never)]
 fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     tables: &Tables<'_>,
@@ -356,8 +382,9 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
         return;
     };
-    // A copy on the stack that anyone might write to: compilers read it from there for each vertex. Else they take its
-    // numbers for constants of the loop, spill them, and need a copy of a factor for each multiplication.
+    // A copy on the stack that anyone might write to: compilers read it from there for each vertex.
+    // Else they take its numbers for constants of the loop, spill them, and need a copy of a
+    // factor for each multiplication.
     let mut transform = transform.by_parts();
     black_box(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
@@ -396,10 +423,7 @@ struct Rows {
 }
 
 impl Rows {
-    const ALL: Self = Self {
-        first: i32::MIN,
-        last: i32::MAX,
-    };
+    const ALL: Self = Self { first: i32::MIN, last: i32::MAX };
 
     /// Those of a window that is not empty.
     const fn of<S: Subpixel>(window: &Window) -> Self {
@@ -410,10 +434,11 @@ impl Rows {
         }
     }
 
-    /// Whether a triangle with corners at these heights ends above all centres or begins below: most of a mesh's
-    /// triangles do so in most of a frame's bands.
+    /// Whether a triangle with corners at these heights ends above all centres or begins below:
+    /// most of a mesh's triangles do so in most of a frame's bands.
     #[inline(always)]
     const fn are_missed_by(self, [a, b, c]: [i32; 3]) -> bool {
-        (a < self.first && b < self.first && c < self.first) || (a > self.last && b > self.last && c > self.last)
+        (a < self.first && b < self.first && c < self.first)
+            || (a > self.last && b > self.last && c > self.last)
     }
 }

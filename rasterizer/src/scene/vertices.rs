@@ -1,4 +1,5 @@
-//! Where the vertices of triangles come from: storage that was filled once, or a calculation on the spot.
+//! Where the vertices of triangles come from: storage that was filled once, or a calculation on the
+//! spot.
 
 use core::marker::PhantomData;
 
@@ -36,7 +37,9 @@ pub trait Lookup<S, D, V> {
     ) -> Option<[&ScreenVertex<S, D, V>; 3]>;
 }
 
-impl<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings> Vertices<V> for &[ScreenVertex<S, D, V>] {
+impl<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings> Vertices<V>
+    for &[ScreenVertex<S, D, V>]
+{
     type Subpixel = S;
     type Depth = D;
     type Lookup = Self;
@@ -58,11 +61,11 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
     }
 }
 
-/// No storage: a vertex is worked out when a triangle needs it, and `N` recent ones are kept on the stack while an object
-/// is drawn, 16 bytes each with 16-bit depth and one varying.
+/// No storage: a vertex is worked out when a triangle needs it, and `N` recent ones are kept on the
+/// stack while an object is drawn, 16 bytes each with 16-bit depth and one varying.
 ///
-/// The converter orders triangles so that their vertices come up again soon. How often a vertex is worked out on average
-/// when the models that the project ships are drawn once:
+/// The converter orders triangles so that their vertices come up again soon. How often a vertex is
+/// worked out on average when the models that the project ships are drawn once:
 ///
 /// | `N` | 0 | 8 | 16 | 32 |
 /// |---|---|---|---|---|
@@ -70,10 +73,11 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
 /// | rocket | 3.8 | 1.4 | 1.3 | 1.2 |
 /// | torus knot | 6.0 | 2.4 | 1.8 | 1.0 |
 ///
-/// Each draw begins anew, so that a frame in 15 bands costs that 15 times. [Bins](super::Projected::binned) bring it
-/// down to the vertices of the triangles in each band: of 5,856 triangles, 6.0 million instructions with 35 KB of
-/// vertices and 11 KB of bins (Cortex-M0+, 320 x 240) become 7.6 million with the bins alone, and 30 million with
-/// neither. Powers of two are the fastest `N`.
+/// Each draw begins anew, so that a frame in 15 bands costs that 15 times.
+/// [Bins](super::Projected::binned) bring it down to the vertices of the triangles in each band: of
+/// 5,856 triangles, 6.0 million instructions with 35 KB of vertices and 11 KB of bins (Cortex-M0+,
+/// 320 x 240) become 7.6 million with the bins alone, and 30 million with neither. Powers of two
+/// are the fastest `N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Walked<S, D, const N: usize = 32> {
     precision: S,
@@ -91,17 +95,16 @@ impl<S, D, const N: usize> Walked<S, D, N> {
     }
 }
 
-impl<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings, const N: usize> Vertices<V> for Walked<S, D, N> {
+impl<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings, const N: usize> Vertices<V>
+    for Walked<S, D, N>
+{
     type Subpixel = S;
     type Depth = D;
     type Lookup = Recent<S, D, V, N>;
 
     fn lookup(self) -> Recent<S, D, V, N> {
         Recent {
-            slots: [Slot {
-                index: usize::MAX,
-                vertex: ScreenVertex::EMPTY,
-            }; N],
+            slots: [Slot { index: usize::MAX, vertex: ScreenVertex::EMPTY }; N],
             corners: [ScreenVertex::EMPTY; 3],
         }
     }
@@ -122,7 +125,9 @@ struct Slot<S, D, V> {
     vertex: ScreenVertex<S, D, V>,
 }
 
-impl<S: Subpixel, D: DepthFormat, V: Varyings, const N: usize> Lookup<S, D, V> for Recent<S, D, V, N> {
+impl<S: Subpixel, D: DepthFormat, V: Varyings, const N: usize> Lookup<S, D, V>
+    for Recent<S, D, V, N>
+{
     #[inline(always)]
     fn corners(
         &mut self,

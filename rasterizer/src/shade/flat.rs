@@ -44,7 +44,8 @@ impl<C: PixelColor + From<Rgb888>> Shader for Unlit<C> {
     }
 }
 
-/// The material's colour, lit by the normal of the triangle. Needs [`face_normals`](crate::mesh::Tables::face_normals).
+/// The material's colour, lit by the normal of the triangle. Needs
+/// [`face_normals`](crate::mesh::Tables::face_normals).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Flat<C>(Lit<C>);
 
@@ -67,10 +68,7 @@ impl<C: PixelColor + From<Rgb888>> Shader for Flat<C> {
     type Varyings = [u16; 0];
     type Surface = Rgb888;
 
-    const TABLES: RequiredTables = RequiredTables {
-        face_normals: true,
-        ..RequiredTables::NONE
-    };
+    const TABLES: RequiredTables = RequiredTables { face_normals: true, ..RequiredTables::NONE };
 
     fn in_object_space(&self, pose: &Pose) -> Self {
         Self(self.0.in_object_space(pose))
@@ -97,8 +95,8 @@ impl<C: PixelColor + From<Rgb888>> Shader for Flat<C> {
     }
 }
 
-/// A colour at a brightness in Q16, 0 to 65,536, each channel rounded to the nearest. A function of its own: the loop over
-/// triangles needs its registers.
+/// A colour at a brightness in Q16, 0 to 65,536, each channel rounded to the nearest. A function of
+/// its own: the loop over triangles needs its registers.
 #[inline(never)]
 fn darkened<C: From<Rgb888>>(color: Rgb888, level: u32) -> C {
     let channel = |full: u8| ((u32::from(full) * level + (1 << 15)) >> 16) as u8;

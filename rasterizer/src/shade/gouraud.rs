@@ -6,11 +6,12 @@ use fixed::types::U16F16;
 use super::{Light, MeshVertex, Ramp, RequiredTables, Shader, lit::Lit};
 use crate::{geometry::Pose, mesh::Material};
 
-/// The material's colour, lit at the vertices (Gouraud, *Continuous Shading of Curved Surfaces*, 1971). Needs
-/// [`vertex_normals`](crate::mesh::Tables::vertex_normals).
+/// The material's colour, lit at the vertices (Gouraud, *Continuous Shading of Curved Surfaces*,
+/// 1971). Needs [`vertex_normals`](crate::mesh::Tables::vertex_normals).
 ///
-/// The level is interpolated linearly on the screen, not in space: over a triangle whose corners' distances from the
-/// camera differ by a factor r, it is off by at most (√r - 1) / (√r + 1) of the difference between the corners.
+/// The level is interpolated linearly on the screen, not in space: over a triangle whose corners'
+/// distances from the camera differ by a factor r, it is off by at most (√r - 1) / (√r + 1) of the
+/// difference between the corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Gouraud<C, const LEVELS: usize = 64>(Lit<C>);
 
@@ -36,10 +37,7 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LE
     type Varyings = [u16; 1];
     type Surface = Ramp<C, LEVELS>;
 
-    const TABLES: RequiredTables = RequiredTables {
-        vertex_normals: true,
-        ..RequiredTables::NONE
-    };
+    const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 
     fn in_object_space(&self, pose: &Pose) -> Self {
         Self(self.0.in_object_space(pose))

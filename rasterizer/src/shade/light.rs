@@ -12,7 +12,8 @@ pub type Level = U1F15;
 
 /// Light from one direction, and light from everywhere.
 ///
-/// A surface with the unit normal n is lit at `ambient + diffuse * max(0, n . toward)`, at most 1 (Lambert's law).
+/// A surface with the unit normal n is lit at `ambient + diffuse * max(0, n . toward)`, at most 1
+/// (Lambert's law).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Light {
     /// The direction towards the light, of length one, in Q30.
@@ -26,7 +27,8 @@ pub struct Light {
 }
 
 impl Light {
-    /// Light from the direction of `toward`, seen from the origin; a zero vector leaves the ambient light alone.
+    /// Light from the direction of `toward`, seen from the origin; a zero vector leaves the ambient
+    /// light alone.
     #[must_use]
     pub const fn new(toward: Vec3, ambient: Level, diffuse: Level) -> Self {
         let [x, y, z] = toward.to_bits();
@@ -35,28 +37,19 @@ impl Light {
             None => [0; 3],
         };
         let gain = (((diffuse.to_bits() as u32) << 13) / 127) as i32;
-        Self {
-            toward,
-            factors: factors(toward, gain),
-            ambient,
-            diffuse,
-            gain,
-        }
+        Self { toward, factors: factors(toward, gain), ambient, diffuse, gain }
     }
 
     /// The light as an object in this pose sees it.
     #[must_use]
     pub fn in_object_space(&self, pose: &Pose) -> Self {
         let toward = pose.rotation.turn_back(&self.toward);
-        Self {
-            toward,
-            factors: factors(toward, self.gain),
-            ..*self
-        }
+        Self { toward, factors: factors(toward, self.gain), ..*self }
     }
 
-    /// How brightly it lights a surface with this normal in object space, 127 standing for 1: Q16, from 0 to 65,536.
-    /// Within 2<sup>-13</sup> for the normal and the direction as they are rounded.
+    /// How brightly it lights a surface with this normal in object space, 127 standing for 1: Q16,
+    /// from 0 to 65,536. Within 2<sup>-13</sup> for the normal and the direction as they are
+    /// rounded.
     #[inline(always)]
     #[must_use]
     pub fn level(&self, normal: [i8; 3]) -> u32 {
@@ -138,9 +131,6 @@ mod tests {
         let light = Light::new(Vec3::X, AMBIENT, DIFFUSE);
         // A quarter turn about y takes z to x: the side that was +z now faces the light.
         let pose = Pose::rotated(Rotation::about_y(Angle::QUARTER));
-        assert_eq!(
-            light.in_object_space(&pose).level([0, 0, 127]),
-            light.level([127, 0, 0])
-        );
+        assert_eq!(light.in_object_space(&pose).level([0, 0, 127]), light.level([127, 0, 0]));
     }
 }

@@ -14,10 +14,7 @@ pub(super) struct Lit<C> {
 
 impl<C> Lit<C> {
     pub(super) const fn by(light: Light) -> Self {
-        Self {
-            light,
-            color: PhantomData,
-        }
+        Self { light, color: PhantomData }
     }
 
     pub(super) fn in_object_space(&self, pose: &Pose) -> Self {

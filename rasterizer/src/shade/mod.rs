@@ -1,11 +1,12 @@
 //! What a covered pixel becomes.
 //!
-//! A [`Shader`] is resolved at compile time: the loop over a span's pixels is built for it alone. It works in three
-//! steps, each as rarely as possible: a material becomes a *surface* once for its run of triangles, a vertex gets its
-//! *varyings* once a frame, and a pixel its colour from the surface and the interpolated varyings; or the whole *face* has
-//! one.
+//! A [`Shader`] is resolved at compile time: the loop over a span's pixels is built for it alone.
+//! It works in three steps, each as rarely as possible: a material becomes a *surface* once for its
+//! run of triangles, a vertex gets its *varyings* once a frame, and a pixel its colour from the
+//! surface and the interpolated varyings; or the whole *face* has one.
 //!
-//! Colours are worked out in the values that pictures store, without a gamma curve, as small displays expect.
+//! Colours are worked out in the values that pictures store, without a gamma curve, as small
+//! displays expect.
 
 mod flat;
 mod gouraud;
@@ -29,8 +30,11 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-/// use rasterizer::{mesh::Material, shade::{MeshVertex, Shader}};
 /// use fixed::types::U16F16;
+/// use rasterizer::{
+///     mesh::Material,
+///     shade::{MeshVertex, Shader},
+/// };
 ///
 /// /// White stripes across the material's colour.
 /// #[derive(Clone)]
@@ -40,8 +44,12 @@ use crate::{
 ///     type Color = Rgb565;
 ///     type Varyings = [u16; 1];
 ///     type Surface = Rgb565;
-///     fn surface(&self, material: &Material) -> Rgb565 { material.rgb().into() }
-///     fn vertex(&self, vertex: &MeshVertex) -> [u16; 1] { [vertex.position()[1] as u16 ^ 0x8000] }
+///     fn surface(&self, material: &Material) -> Rgb565 {
+///         material.rgb().into()
+///     }
+///     fn vertex(&self, vertex: &MeshVertex) -> [u16; 1] {
+///         [vertex.position()[1] as u16 ^ 0x8000]
+///     }
 ///     fn pixel(&self, surface: &Rgb565, [height]: [U16F16; 1]) -> Rgb565 {
 ///         if height.to_bits() >> 29 & 1 == 0 { *surface } else { Rgb565::WHITE }
 ///     }
@@ -70,14 +78,20 @@ pub trait Shader: Clone {
     /// The varyings of a vertex.
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings;
 
-    /// The colour of a whole triangle, if it has a single one; [`pixel`](Self::pixel) is then not asked.
+    /// The colour of a whole triangle, if it has a single one; [`pixel`](Self::pixel) is then not
+    /// asked.
     #[inline(always)]
     fn face(&self, _surface: &Self::Surface, _face: &MeshFace<'_>) -> Option<Self::Color> {
         None
     }
 
-    /// The colour of a pixel. A varying of 16 bits arrives in Q16.16, half a unit above its interpolated value.
-    fn pixel(&self, surface: &Self::Surface, varyings: <Self::Varyings as Interpolate>::Sample) -> Self::Color;
+    /// The colour of a pixel. A varying of 16 bits arrives in Q16.16, half a unit above its
+    /// interpolated value.
+    fn pixel(
+        &self,
+        surface: &Self::Surface,
+        varyings: <Self::Varyings as Interpolate>::Sample,
+    ) -> Self::Color;
 }
 
 /// The optional tables of a mesh that a shader reads.
@@ -93,11 +107,8 @@ pub struct RequiredTables {
 
 impl RequiredTables {
     /// None of them.
-    pub const NONE: Self = Self {
-        vertex_normals: false,
-        face_normals: false,
-        texture_coordinates: false,
-    };
+    pub const NONE: Self =
+        Self { vertex_normals: false, face_normals: false, texture_coordinates: false };
 
     /// A mesh's tables, those of vertices that are read cut to `count`; nothing if one is shorter.
     #[inline(always)]
@@ -143,15 +154,12 @@ impl<'a> MeshVertex<'a> {
         self.tables.vertex_normals.get(self.index).copied().unwrap_or_default()
     }
 
-    /// Its texture coordinates, in the mesh's [`texture_fraction_bits`](Tables::texture_fraction_bits).
+    /// Its texture coordinates, in the mesh's
+    /// [`texture_fraction_bits`](Tables::texture_fraction_bits).
     #[inline(always)]
     #[must_use]
     pub fn texture_coordinates(&self) -> [u16; 2] {
-        self.tables
-            .texture_coordinates
-            .get(self.index)
-            .copied()
-            .unwrap_or_default()
+        self.tables.texture_coordinates.get(self.index).copied().unwrap_or_default()
     }
 }
 

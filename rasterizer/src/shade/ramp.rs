@@ -5,8 +5,9 @@ use fixed::types::U16F16;
 
 /// `LEVELS` colours, a power of two of them, to be looked up by brightness.
 ///
-/// One interpolated number a pixel gives all channels at once, and any course of colours that one likes: a surface in
-/// coloured light, the few steps of a cartoon, hot metal. 64 levels are as many as the finest channel of RGB565 has.
+/// One interpolated number a pixel gives all channels at once, and any course of colours that one
+/// likes: a surface in coloured light, the few steps of a cartoon, hot metal. 64 levels are as many
+/// as the finest channel of RGB565 has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ramp<C, const LEVELS: usize> {
     colors: [C; LEVELS],
@@ -24,15 +25,13 @@ impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
     /// By a function of the level, from 0 to `LEVELS` - 1.
     #[must_use]
     pub fn from_fn(color: impl FnMut(usize) -> C) -> Self {
-        Self {
-            colors: core::array::from_fn(color),
-        }
+        Self { colors: core::array::from_fn(color) }
     }
 
     /// A brightness in Q16, 0 to 65,536, as the varying that [`at`](Self::at) takes.
     ///
-    /// The nearest level of the ramp is the varying's upper bits: 0 and 65,536 lie in the middle of the first and the
-    /// last level.
+    /// The nearest level of the ramp is the varying's upper bits: 0 and 65,536 lie in the middle of
+    /// the first and the last level.
     #[inline(always)]
     #[must_use]
     pub const fn varying(level: u32) -> u16 {
@@ -56,14 +55,15 @@ impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
 }
 
 impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Ramp<C, LEVELS> {
-    /// From `dark` to `bright` in equal steps, each channel rounded to the nearest; with more than 256 levels within 3/4 of
-    /// its step.
+    /// From `dark` to `bright` in equal steps, each channel rounded to the nearest; with more than
+    /// 256 levels within 3/4 of its step.
     #[must_use]
     // Inlined it would be in the loop over triangles, which needs the registers.
     #[inline(never)]
     pub fn between(dark: Rgb888, bright: Rgb888) -> Self {
-        // 1 / last in Q24, within 2^-25. A channel is off by 255 last 2^-25 at most, and rounds alike if that is less than
-        // 1 / 2 last: no level is nearer to the middle of two steps, as `last` is odd.
+        // 1 / last in Q24, within 2^-25. A channel is off by 255 last 2^-25 at most, and rounds
+        // alike if that is less than 1 / 2 last: no level is nearer to the middle of two
+        // steps, as `last` is odd.
         let step = const { ((1 << 24) + (LEVELS as i32 - 1) / 2) / (LEVELS as i32 - 1) };
         let channel = |from: u8, to: u8, level: usize| {
             let way = (i32::from(to) - i32::from(from)) * level as i32;
@@ -115,17 +115,21 @@ mod tests {
             let last = LEVELS as i32 - 1;
             for from in (0..=255u8).step_by(5) {
                 for to in 0..=255u8 {
-                    let ramp = Ramp::<Rgb888, LEVELS>::between(Rgb888::new(from, 0, 0), Rgb888::new(to, 0, 0));
+                    let ramp = Ramp::<Rgb888, LEVELS>::between(
+                        Rgb888::new(from, 0, 0),
+                        Rgb888::new(to, 0, 0),
+                    );
                     for (level, color) in ramp.colors.iter().enumerate() {
                         let level = level as i32;
                         let sum = i32::from(from) * (last - level) + i32::from(to) * level;
                         let twice_off = (2 * (i32::from(color.r()) * last - sum)).abs();
-                        let is_near = if LEVELS > 256 {
-                            2 * twice_off < 3 * last
-                        } else {
-                            twice_off < last
-                        };
-                        assert!(is_near, "level {level} of {LEVELS} from {from} to {to}: {}", color.r());
+                        let is_near =
+                            if LEVELS > 256 { 2 * twice_off < 3 * last } else { twice_off < last };
+                        assert!(
+                            is_near,
+                            "level {level} of {LEVELS} from {from} to {to}: {}",
+                            color.r()
+                        );
                     }
                 }
             }

@@ -12,11 +12,14 @@ use embedded_graphics_core::{
 use super::{DepthBuffer, Frame, FrameError, StoredColor, StoredDepth};
 use crate::{geometry::NoDepth, numbers::divide};
 
-/// A rectangle of the display in bands of rows, which one after the other are cleared, drawn and sent.
+/// A rectangle of the display in bands of rows, which one after the other are cleared, drawn and
+/// sent.
 ///
-/// `M` is the memory of a band's pixels: anything that lends a slice of colours, such as `&mut [C]`, `&'static mut
-/// [C; N]` or a box. The rectangle may be a part of the display: all of it the first time, then what has changed, which
-/// is what [`Projected::bounds`](crate::scene::Projected::bounds) of this frame and the last one hold together.
+/// `M` is the memory of a band's pixels: anything that lends a slice of colours, such as `&mut
+/// [C]`, `&'static mut [C; N]` or a box. The rectangle may be a part of the display: all of it the
+/// first time, then what has changed, which
+/// is what [`Projected::bounds`](crate::scene::Projected::bounds) of this frame and the last one
+/// hold together.
 #[derive(Debug)]
 pub struct Bands<M, C, B> {
     areas: BandAreas,
@@ -26,15 +29,18 @@ pub struct Bands<M, C, B> {
 }
 
 impl<'d, M: AsMut<[C]>, C: PixelColor, D: StoredDepth> Bands<M, C, &'d mut [D]> {
-    /// Bands of `area` with a depth buffer of `u16` or `u32`: each has as many rows as both buffers hold.
+    /// Bands of `area` with a depth buffer of `u16` or `u32`: each has as many rows as both buffers
+    /// hold.
     ///
     /// # Errors
     ///
     /// If a buffer does not hold a row.
     pub fn new(area: Rectangle, mut color: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
         let width = area.size.width as usize;
-        let rows = whole_rows(color.as_mut().len(), &area).ok_or(FrameError::ColorLength { needed: width })?;
-        let rows = rows.min(whole_rows(depth.len(), &area).ok_or(FrameError::DepthLength { needed: width })?);
+        let rows = whole_rows(color.as_mut().len(), &area)
+            .ok_or(FrameError::ColorLength { needed: width })?;
+        let rows = rows
+            .min(whole_rows(depth.len(), &area).ok_or(FrameError::DepthLength { needed: width })?);
         // What is longer than a band would be cleared for nothing.
         let depth = depth.get_mut(..rows as usize * width).unwrap_or_default();
         Ok(Self::over(BandAreas::new(area, rows), color, depth))
@@ -49,7 +55,8 @@ impl<M: AsMut<[C]>, C: PixelColor> Bands<M, C, NoDepth> {
     /// If the buffer does not hold a row.
     pub fn without_depth(area: Rectangle, mut color: M) -> Result<Self, FrameError> {
         let needed = area.size.width as usize;
-        let rows = whole_rows(color.as_mut().len(), &area).ok_or(FrameError::ColorLength { needed })?;
+        let rows =
+            whole_rows(color.as_mut().len(), &area).ok_or(FrameError::ColorLength { needed })?;
         Ok(Self::over(BandAreas::new(area, rows), color, NoDepth))
     }
 }
@@ -57,22 +64,13 @@ impl<M: AsMut<[C]>, C: PixelColor> Bands<M, C, NoDepth> {
 /// How many of an area's rows so many pixels hold; nothing if there is not even one.
 fn whole_rows(pixels: usize, area: &Rectangle) -> Option<u32> {
     let Size { width, height } = area.size;
-    let rows = if width == 0 {
-        height
-    } else {
-        divide(pixels as u32, width).min(height)
-    };
+    let rows = if width == 0 { height } else { divide(pixels as u32, width).min(height) };
     (rows > 0 || area.is_zero_sized()).then_some(rows)
 }
 
 impl<M: AsMut<[C]>, C: PixelColor, B: DepthBuffer + Default> Bands<M, C, B> {
     const fn over(areas: BandAreas, color: M, depth: B) -> Self {
-        Self {
-            areas,
-            color,
-            depth,
-            pixel: PhantomData,
-        }
+        Self { areas, color, depth, pixel: PhantomData }
     }
 
     /// The rectangles of the bands, from the top.
@@ -83,8 +81,9 @@ impl<M: AsMut<[C]>, C: PixelColor, B: DepthBuffer + Default> Bands<M, C, B> {
 }
 
 impl<M: AsMut<[C]>, C: StoredColor, B: DepthBuffer + Default> Bands<M, C, B> {
-    /// Draws all bands and sends each to the display before the next is drawn. `draw` gets each band as a frame in the
-    /// background's colour; what can fail about an object has been done before, by `project` or `walk`.
+    /// Draws all bands and sends each to the display before the next is drawn. `draw` gets each
+    /// band as a frame in the background's colour; what can fail about an object has been done
+    /// before, by `project` or `walk`.
     ///
     /// # Errors
     ///
@@ -108,9 +107,9 @@ impl<M: AsMut<[C]>, C: StoredColor, B: DepthBuffer + Default> Bands<M, C, B> {
 
     /// Draws all bands while those that are finished are on their way.
     ///
-    /// `send` gets the memory of a band that is finished, whose first pixels are the rectangle's. It starts the transfer
-    /// and gives other memory in exchange, of which the transfer has ended: the next band is drawn there meanwhile. What
-    /// it gave last comes back.
+    /// `send` gets the memory of a band that is finished, whose first pixels are the rectangle's.
+    /// It starts the transfer and gives other memory in exchange, of which the transfer has
+    /// ended: the next band is drawn there meanwhile. What it gave last comes back.
     ///
     /// # Errors
     ///
@@ -168,10 +167,7 @@ impl BandAreas {
     /// Of `rows` rows each, at least one.
     #[must_use]
     pub const fn new(area: Rectangle, rows: u32) -> Self {
-        Self {
-            rest: area,
-            rows: if rows == 0 { 1 } else { rows },
-        }
+        Self { rest: area, rows: if rows == 0 { 1 } else { rows } }
     }
 }
 

@@ -8,11 +8,12 @@ use embedded_graphics_core::pixelcolor::{
 
 use super::{StoredColor, WordFill};
 
-/// RGB565 with its more significant byte first, the order in which SPI displays take it: a band of these goes to a DMA
-/// channel as it lies in memory.
+/// RGB565 with its more significant byte first, the order in which SPI displays take it: a band of
+/// these goes to a DMA channel as it lies in memory.
 ///
-/// Shaders work their colours out before they come to pixels, so that a pixel costs the same in this order as in any other. As
-/// plain data it is filled by words: runs of one colour cost less than with [`Rgb565`].
+/// Shaders work their colours out before they come to pixels, so that a pixel costs the same in
+/// this order as in any other. As plain data it is filled by words: runs of one colour cost less
+/// than with [`Rgb565`].
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};

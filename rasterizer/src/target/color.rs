@@ -1,12 +1,14 @@
 //! What the memory of a frame holds.
 
 use embedded_graphics_core::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565, Rgb666, Rgb888,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565,
+    Rgb666, Rgb888,
 };
 
 use super::{Fill, PixelFill};
 
-/// A colour that memory can be filled with: all of embedded-graphics and [`Rgb565Be`](super::Rgb565Be).
+/// A colour that memory can be filled with: all of embedded-graphics and
+/// [`Rgb565Be`](super::Rgb565Be).
 ///
 /// For a colour of one's own it takes a line:
 ///
@@ -27,12 +29,14 @@ use super::{Fill, PixelFill};
 /// }
 ///
 /// let mut pixels = [Indexed(0); 3 * 2];
-/// Frame::without_depth(&mut pixels, Rectangle::new(Point::zero(), Size::new(3, 2)))?.clear(Indexed(7));
+/// Frame::without_depth(&mut pixels, Rectangle::new(Point::zero(), Size::new(3, 2)))?
+///     .clear(Indexed(7));
 /// assert_eq!(pixels, [Indexed(7); 6]);
 /// # Ok::<(), rasterizer::target::FrameError>(())
 /// ```
 ///
-/// One of 16 bits that is plain data, and aligned like a `u16`, takes [`WordFill`](super::WordFill) instead.
+/// One of 16 bits that is plain data, and aligned like a `u16`, takes [`WordFill`](super::WordFill)
+/// instead.
 pub trait StoredColor: PixelColor {
     /// How runs of pixels are set to it.
     type Fill: Fill<Self>;

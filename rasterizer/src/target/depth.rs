@@ -21,8 +21,9 @@ pub trait DepthBuffer {
     /// Sets all cells to the far end of the range.
     fn clear(&mut self);
 
-    /// Draws those pixels of a triangle that are nearer than what is stored, which their depth then replaces: what was
-    /// drawn first wins a tie. Addresses in `layout` count in `colors` as in the buffer.
+    /// Draws those pixels of a triangle that are nearer than what is stored, which their depth then
+    /// replaces: what was drawn first wins a tie. Addresses in `layout` count in `colors` as in
+    /// the buffer.
     ///
     /// # Errors
     ///
@@ -43,8 +44,8 @@ pub trait StoredDepth: DepthFormat + Interpolate + PartialOrd + bytemuck::Pod {}
 impl StoredDepth for u16 {}
 impl StoredDepth for u32 {}
 
-/// From so many pixels on, taking two at a time pays for a call: the loop costs 12 to 16 instructions a pixel instead of 15
-/// to 19.
+/// From so many pixels on, taking two at a time pays for a call: the loop costs 12 to 16
+/// instructions a pixel instead of 15 to 19.
 const LONG_RUN: usize = 16;
 
 impl<D: StoredDepth> DepthBuffer for &mut [D] {
@@ -79,15 +80,20 @@ impl<D: StoredDepth> DepthBuffer for &mut [D] {
         let cells = self.get_mut(..pixels).unwrap_or_default();
         triangle.for_each_span(window, layout, |span| {
             let (start, end) = (span.start, span.end);
-            if let (Some(colors), Some(cells)) = (colors.get_mut(start..end), cells.get_mut(start..end)) {
+            if let (Some(colors), Some(cells)) =
+                (colors.get_mut(start..end), cells.get_mut(start..end))
+            {
                 let mut run = Run::new(span);
                 if cells.len() >= LONG_RUN {
                     run.draw_long(colors, cells, &mut pixel);
                 } else {
-                    // By their places, for which compilers take an instruction less a span than for slices zipped.
+                    // By their places, for which compilers take an instruction less a span than for
+                    // slices zipped.
                     for place in 0..end - start {
                         roll();
-                        let (Some(color), Some(cell)) = (colors.get_mut(place), cells.get_mut(place)) else {
+                        let (Some(color), Some(cell)) =
+                            (colors.get_mut(place), cells.get_mut(place))
+                        else {
                             break;
                         };
                         run.draw(color, cell, &mut pixel);
@@ -99,8 +105,8 @@ impl<D: StoredDepth> DepthBuffer for &mut [D] {
     }
 }
 
-/// Sets words to zero, at one instruction for each. A function of its own: inlined into a large one it takes three times as
-/// long on the M0+.
+/// Sets words to zero, at one instruction for each. A function of its own: inlined into a large one
+/// it takes three times as long on the M0+.
 #[inline(never)]
 fn clear_words(words: &mut [u32]) {
     // Known to be zero it would become a call of `memset`, which on a microcontroller takes two.
@@ -150,7 +156,12 @@ impl<D: Interpolate + PartialOrd, V: Interpolate> Run<D, V> {
 
     /// Two pixels at a time, in a function of its own: it needs all registers.
     #[inline(never)]
-    fn draw_long<C>(mut self, colors: &mut [C], cells: &mut [D], mut pixel: impl FnMut(V::Sample) -> C) {
+    fn draw_long<C>(
+        mut self,
+        colors: &mut [C],
+        cells: &mut [D],
+        mut pixel: impl FnMut(V::Sample) -> C,
+    ) {
         let (color_pairs, last_color) = colors.as_chunks_mut::<2>();
         let (cell_pairs, last_cell) = cells.as_chunks_mut::<2>();
         for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
@@ -164,9 +175,9 @@ impl<D: Interpolate + PartialOrd, V: Interpolate> Run<D, V> {
     }
 }
 
-/// Keeps a loop as it is written. Compilers unroll the loop over pixels four times, work out multiples of the steps beforehand
-/// and then have too few registers for them: 16 to 18 instructions a pixel on the Cortex-M4 instead of 12 to 15. It is no
-/// instruction itself.
+/// Keeps a loop as it is written. Compilers unroll the loop over pixels four times, work out
+/// multiples of the steps beforehand and then have too few registers for them: 16 to 18
+/// instructions a pixel on the Cortex-M4 instead of 12 to 15. It is no instruction itself.
 #[inline(always)]
 pub(super) const fn roll() {
     black_box(());

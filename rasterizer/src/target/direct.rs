@@ -14,9 +14,9 @@ use crate::{
 
 /// Draws spans as runs on any [`DrawTarget`], each one `fill_solid` or `fill_contiguous`.
 ///
-/// Nothing tests depth: it is for convex bodies whose back faces are culled, and for objects drawn from back to front. A
-/// rounded body whose quads were split along the wrong diagonal is not quite convex: pixels near its outline may be drawn
-/// twice.
+/// Nothing tests depth: it is for convex bodies whose back faces are culled, and for objects drawn
+/// from back to front. A rounded body whose quads were split along the wrong diagonal is not quite
+/// convex: pixels near its outline may be drawn twice.
 #[derive(Debug)]
 pub struct Direct<'a, T> {
     display: &'a mut T,
@@ -33,18 +33,12 @@ impl<'a, T: DrawTarget> Direct<'a, T> {
 
 /// Every row alike: an address is a column of the window.
 const fn columns(window: &Window) -> Layout {
-    Layout {
-        pitch: 0,
-        origin: window.left,
-    }
+    Layout { pitch: 0, origin: window.left }
 }
 
 const fn rectangle<V: Interpolate>(window: &Window, span: &Span<NoDepth, V>) -> Rectangle {
     let width = (span.end - span.start) as u32;
-    Rectangle::new(
-        Point::new(window.left + span.start as i32, span.row),
-        Size::new(width, 1),
-    )
+    Rectangle::new(Point::new(window.left + span.start as i32, span.row), Size::new(width, 1))
 }
 
 impl<T: DrawTarget> Target for Direct<'_, T> {

@@ -20,18 +20,15 @@ pub trait Fill<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct PixelFill<C> {
     color: C,
-    /// Twice the colour, without the compiler's knowing that they are equal: it copies them at once then, which for 16 bits
-    /// each is one word.
+    /// Twice the colour, without the compiler's knowing that they are equal: it copies them at
+    /// once then, which for 16 bits each is one word.
     pair: [C; 2],
 }
 
 impl<C: Copy> Fill<C> for PixelFill<C> {
     #[inline(always)]
     fn new(color: C) -> Self {
-        Self {
-            color,
-            pair: black_box([color; 2]),
-        }
+        Self { color, pair: black_box([color; 2]) }
     }
 
     #[inline(always)]
@@ -54,7 +51,8 @@ impl<C: Copy> Fill<C> for PixelFill<C> {
             self.block(first);
         }
         if let Some(last) = rest.last_chunk_mut::<16>() {
-            // Addressed from its own start: the shortest instructions do not reach backwards from the end of the rest.
+            // Addressed from its own start: the shortest instructions do not reach backwards from
+            // the end of the rest.
             self.block(black_box(last));
         }
     }
@@ -72,8 +70,8 @@ impl<C: Copy> PixelFill<C> {
     }
 }
 
-/// Fills by words of two pixels, in 0.3 to 0.6 instructions a pixel if a run is long: for colours of 16 bits that are plain
-/// data and lie where a `u16` may. Others do not compile.
+/// Fills by words of two pixels, in 0.3 to 0.6 instructions a pixel if a run is long: for colours
+/// of 16 bits that are plain data and lie where a `u16` may. Others do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct WordFill<C> {
     color: C,
@@ -90,10 +88,7 @@ impl<C: Pod> Fill<C> for WordFill<C> {
                 "half a word before a run must be a whole pixel"
             );
         }
-        Self {
-            color,
-            word: bytemuck::must_cast([color; 2]),
-        }
+        Self { color, word: bytemuck::must_cast([color; 2]) }
     }
 
     #[inline(always)]
@@ -156,7 +151,8 @@ pub(super) fn fill_all<C, F: Fill<C>>(fill: F, pixels: &mut [C]) {
 mod tests {
     use super::*;
 
-    /// Runs of all lengths up to some blocks, from all places in a word: in full, and nothing beside them.
+    /// Runs of all lengths up to some blocks, from all places in a word: in full, and nothing
+    /// beside them.
     fn fills<F: Fill<u16>>() {
         for start in 0..4 {
             for end in start..=start + 170 {

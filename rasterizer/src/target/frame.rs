@@ -2,7 +2,9 @@
 
 use core::convert::Infallible;
 
-use embedded_graphics_core::{draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle};
+use embedded_graphics_core::{
+    draw_target::DrawTarget, geometry::Size, pixelcolor::PixelColor, primitives::Rectangle,
+};
 
 use super::{DepthBuffer, Fill, StoredColor, StoredDepth, Target, fill::fill_all};
 use crate::{
@@ -41,7 +43,9 @@ pub enum FrameError {
 impl core::fmt::Display for FrameError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
-            Self::ColorLength { needed } => write!(f, "the colour buffer must have {needed} pixels"),
+            Self::ColorLength { needed } => {
+                write!(f, "the colour buffer must have {needed} pixels")
+            }
             Self::DepthLength { needed } => write!(f, "the depth buffer must have {needed} cells"),
         }
     }
@@ -55,13 +59,18 @@ impl<'a, C: PixelColor, D: StoredDepth> Frame<'a, C, &'a mut [D]> {
     /// # Errors
     ///
     /// If a slice does not have as many elements as the rectangle has pixels.
-    pub fn new(color: &'a mut [C], depth: &'a mut [D], area: Rectangle) -> Result<Self, FrameError> {
+    pub fn new(
+        color: &'a mut [C],
+        depth: &'a mut [D],
+        area: Rectangle,
+    ) -> Result<Self, FrameError> {
         Self::over(color, depth, area)
     }
 }
 
 impl<'a, C: PixelColor> Frame<'a, C, NoDepth> {
-    /// A frame without a depth buffer for the rectangle `area` of the display: what is drawn last is seen.
+    /// A frame without a depth buffer for the rectangle `area` of the display: what is drawn last
+    /// is seen.
     ///
     /// # Errors
     ///
@@ -105,7 +114,8 @@ impl<'a, C: PixelColor, B: DepthBuffer> Frame<'a, C, B> {
         self.depth
     }
 
-    /// Sets the depth of all pixels to the far end, and leaves their colours, for a background that is drawn already.
+    /// Sets the depth of all pixels to the far end, and leaves their colours, for a background that
+    /// is drawn already.
     pub fn clear_depth(&mut self) {
         self.depth.clear();
     }

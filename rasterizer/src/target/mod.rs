@@ -34,7 +34,8 @@ pub trait Target {
     /// The pixels that it takes.
     fn window(&self) -> Window;
 
-    /// Draws a triangle's spans in a part of the window, each pixel in the colour that `pixel` makes of its varyings.
+    /// Draws a triangle's spans in a part of the window, each pixel in the colour that `pixel`
+    /// makes of its varyings.
     ///
     /// # Errors
     ///
@@ -46,7 +47,8 @@ pub trait Target {
         pixel: impl FnMut(V::Sample) -> Self::Color,
     ) -> Result<(), Self::Error>;
 
-    /// Draws a triangle's spans in a part of the window in one colour: [`shade`](Self::shade), unless there is a shorter way.
+    /// Draws a triangle's spans in a part of the window in one colour: [`shade`](Self::shade),
+    /// unless there is a shorter way.
     ///
     /// # Errors
     ///

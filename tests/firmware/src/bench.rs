@@ -1,4 +1,5 @@
-//! The bench scenes: models of 12 to 5,856 triangles on 320 x 240 pixels, each turned in eight frames.
+//! The bench scenes: models of 12 to 5,856 triangles on 320 x 240 pixels, each turned in eight
+//! frames.
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
@@ -40,16 +41,8 @@ struct Mode {
     rows: u32,
 }
 
-const MODES: [Mode; 2] = [
-    Mode {
-        name: "whole",
-        rows: SIZE.height,
-    },
-    Mode {
-        name: "bands of 16",
-        rows: BAND_ROWS,
-    },
-];
+const MODES: [Mode; 2] =
+    [Mode { name: "whole", rows: SIZE.height }, Mode { name: "bands of 16", rows: BAND_ROWS }];
 
 static MEMORY: Shared<PIXELS> = Memory::shared();
 
@@ -83,7 +76,8 @@ pub(crate) const fn sun() -> Light {
 /// A camera that looks at the origin, with its focal length in pixels.
 pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
     let near = Distance::lit("0.1");
-    let lens = Perspective::with_focal_length(Distance::lit(focal_length), near, Distance::lit("100"));
+    let lens =
+        Perspective::with_focal_length(Distance::lit(focal_length), near, Distance::lit("100"));
     let viewport = Rectangle::new(Point::zero(), SIZE);
     let eye = Vec3::lit("0", "0", distance);
     Camera::at(eye, Rotation::IDENTITY, lens.unwrap_or_else(fail), viewport).unwrap_or_else(fail)
@@ -91,10 +85,14 @@ pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
 
 /// How the model is turned in a frame.
 pub(crate) fn pose(frame: u32) -> Pose {
-    Pose::rotated(Rotation::about_x(Angle::turns(30, 512)) * Rotation::about_y(Angle::turns(64 * frame + 20, 512)))
+    Pose::rotated(
+        Rotation::about_x(Angle::turns(30, 512))
+            * Rotation::about_y(Angle::turns(64 * frame + 20, 512)),
+    )
 }
 
-/// The program that measures what bands cost that keep less than all that could be kept from one to the next.
+/// The program that measures what bands cost that keep less than all that could be kept from one to
+/// the next.
 pub fn frugal<const SET_UP: bool>() {
     counter::start();
     console::build();
@@ -119,17 +117,31 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
     ) {
         let object = Object::new(mesh, shader);
         for Mode { name: mode, rows } in MODES {
-            self.measure::<S4, D, _>([name, "S4", mode], &object, |cost, object, vertices, bins, memory| {
-                cost.add(object, camera, rows, vertices, bins, memory);
-            });
-            self.measure::<S8, D, _>([name, "S8", mode], &object, |cost, object, vertices, bins, memory| {
-                cost.add(object, camera, rows, vertices, bins, memory);
-            });
+            self.measure::<S4, D, _>(
+                [name, "S4", mode],
+                &object,
+                |cost, object, vertices, bins, memory| {
+                    cost.add(object, camera, rows, vertices, bins, memory);
+                },
+            );
+            self.measure::<S8, D, _>(
+                [name, "S8", mode],
+                &object,
+                |cost, object, vertices, bins, memory| {
+                    cost.add(object, camera, rows, vertices, bins, memory);
+                },
+            );
         }
     }
 
     /// A scene with depth in bands, without the vertices or the bins or both, in both precisions.
-    fn frugal_bands<Sh: Shader<Color = Rgb565Be>>(&mut self, name: &str, mesh: &Mesh<'_>, shader: Sh, camera: &Camera) {
+    fn frugal_bands<Sh: Shader<Color = Rgb565Be>>(
+        &mut self,
+        name: &str,
+        mesh: &Mesh<'_>,
+        shader: Sh,
+        camera: &Camera,
+    ) {
         let object = Object::new(mesh, shader);
         self.frugal_bands_in::<S4, _>(name, "S4", &object, camera);
         self.frugal_bands_in::<S8, _>(name, "S8", &object, camera);

@@ -1,4 +1,5 @@
-//! What the firmware says, and how it ends: by semihosting on a microcontroller, as any program on the host.
+//! What the firmware says, and how it ends: by semihosting on a microcontroller, as any program on
+//! the host.
 
 use core::fmt::Arguments;
 

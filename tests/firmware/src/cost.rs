@@ -19,8 +19,8 @@ use crate::{counter::Moment, memory::Memory, nothing::Nothing};
 
 /// The sum over frames: all that it takes to draw them, or the part of it that is no pixel.
 ///
-/// Each is for a program of its own: where both are measured in one, the compiler inlines less of what they share, and
-/// drawing takes up to 7 % longer.
+/// Each is for a program of its own: where both are measured in one, the compiler inlines less of
+/// what they share, and drawing takes up to 7 % longer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cost<const SET_UP: bool> {
     frames: u32,
@@ -28,7 +28,8 @@ pub struct Cost<const SET_UP: bool> {
     clear: u64,
     /// All vertices transformed, lit and projected.
     vertices: u64,
-    /// Triangles culled, set up and walked down row by row; and their pixels drawn, unless it is the `SET_UP` alone.
+    /// Triangles culled, set up and walked down row by row; and their pixels drawn, unless it is
+    /// the `SET_UP` alone.
     draw: u64,
     pixels_drawn: u64,
     triangles_drawn: u64,
@@ -50,10 +51,7 @@ impl<const SET_UP: bool> Display for Cost<SET_UP> {
             pixels_changed,
             last: _,
         } = self;
-        write!(
-            f,
-            r#""frames":{frames},"clear":{clear},"vertices":{vertices},"draw":{draw},"#
-        )?;
+        write!(f, r#""frames":{frames},"clear":{clear},"vertices":{vertices},"draw":{draw},"#)?;
         write!(
             f,
             r#""pixels_drawn":{pixels_drawn},"triangles_drawn":{triangles_drawn},"pixels_changed":{pixels_changed}"#
@@ -89,14 +87,18 @@ impl Depth for u16 {
 impl Depth for NoDepth {
     type Buffer<'a> = Self;
 
-    fn frame<'a>(color: &'a mut [Rgb565Be], _: &'a mut [u16], area: Rectangle) -> Frame<'a, Rgb565Be, Self> {
+    fn frame<'a>(
+        color: &'a mut [Rgb565Be],
+        _: &'a mut [u16],
+        area: Rectangle,
+    ) -> Frame<'a, Rgb565Be, Self> {
         Frame::without_depth(color, area).unwrap_or_else(fail)
     }
 }
 
 impl<const SET_UP: bool> Cost<SET_UP> {
-    /// Draws one frame more: as a whole if it has no more than `rows`, else in bands of so many, with the triangles sorted
-    /// into `bins`.
+    /// Draws one frame more: as a whole if it has no more than `rows`, else in bands of so many,
+    /// with the triangles sorted into `bins`.
     pub fn add<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
         &mut self,
         object: &Object<'_, Sh>,
@@ -106,21 +108,37 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         bins: &mut [u32],
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
+        let seen =
+            timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
         self.count(&seen);
         let viewport = camera.viewport();
         if rows < viewport.size.height {
             let binned = timed(&mut self.draw, || seen.binned(rows, bins)).unwrap_or_else(fail);
             for area in BandAreas::new(viewport, rows) {
-                self.add_area::<D, PIXELS>(memory, area, |frame| binned.draw(frame), |nothing| binned.draw(nothing));
+                self.add_area::<D, PIXELS>(
+                    memory,
+                    area,
+                    |frame| binned.draw(frame),
+                    |nothing| binned.draw(nothing),
+                );
             }
         } else {
-            self.add_area::<D, PIXELS>(memory, viewport, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
+            self.add_area::<D, PIXELS>(
+                memory,
+                viewport,
+                |frame| seen.draw(frame),
+                |nothing| seen.draw(nothing),
+            );
         }
     }
 
     /// Draws one frame more in bands, without bins: each band looks at all triangles.
-    pub fn add_by_vertices<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
+    pub fn add_by_vertices<
+        S: Subpixel,
+        D: Depth,
+        Sh: Shader<Color = Rgb565Be>,
+        const PIXELS: usize,
+    >(
         &mut self,
         object: &Object<'_, Sh>,
         camera: &Camera,
@@ -128,14 +146,21 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
+        let seen =
+            timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
         self.count(&seen);
         for area in BandAreas::new(camera.viewport(), rows) {
-            self.add_area::<D, PIXELS>(memory, area, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
+            self.add_area::<D, PIXELS>(
+                memory,
+                area,
+                |frame| seen.draw(frame),
+                |nothing| seen.draw(nothing),
+            );
         }
     }
 
-    /// Draws one frame more in bands, without storage for vertices: those of the triangles in a band are worked out there.
+    /// Draws one frame more in bands, without storage for vertices: those of the triangles in a
+    /// band are worked out there.
     pub fn add_by_bins<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
         &mut self,
         object: &Object<'_, Sh>,
@@ -144,31 +169,51 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         bins: &mut [u32],
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default())).unwrap_or_else(fail);
+        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default()))
+            .unwrap_or_else(fail);
         self.count(&seen);
         let binned = timed(&mut self.draw, || seen.binned(rows, bins)).unwrap_or_else(fail);
         for area in BandAreas::new(camera.viewport(), rows) {
-            self.add_area::<D, PIXELS>(memory, area, |frame| binned.draw(frame), |nothing| binned.draw(nothing));
+            self.add_area::<D, PIXELS>(
+                memory,
+                area,
+                |frame| binned.draw(frame),
+                |nothing| binned.draw(nothing),
+            );
         }
     }
 
     /// Draws one frame more in bands with neither: each band works all of the mesh out.
-    pub fn add_by_nothing<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
+    pub fn add_by_nothing<
+        S: Subpixel,
+        D: Depth,
+        Sh: Shader<Color = Rgb565Be>,
+        const PIXELS: usize,
+    >(
         &mut self,
         object: &Object<'_, Sh>,
         camera: &Camera,
         rows: u32,
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default())).unwrap_or_else(fail);
+        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default()))
+            .unwrap_or_else(fail);
         self.count(&seen);
         for area in BandAreas::new(camera.viewport(), rows) {
-            self.add_area::<D, PIXELS>(memory, area, |frame| seen.draw(frame), |nothing| seen.draw(nothing));
+            self.add_area::<D, PIXELS>(
+                memory,
+                area,
+                |frame| seen.draw(frame),
+                |nothing| seen.draw(nothing),
+            );
         }
     }
 
     /// Counts a frame, its triangles, and the pixels that change with it.
-    fn count<V: Vertices<Sh::Varyings>, Sh: Shader>(&mut self, seen: &Projected<'_, V, Perspective, Sh>) {
+    fn count<V: Vertices<Sh::Varyings>, Sh: Shader>(
+        &mut self,
+        seen: &Projected<'_, V, Perspective, Sh>,
+    ) {
         let Ok(()) = seen.for_each_triangle(|_, _| {
             self.triangles_drawn += 1;
             Ok::<(), Infallible>(())
@@ -199,7 +244,8 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         let mut frame = D::frame(color, depth, area);
         timed(&mut self.clear, || frame.clear_depth());
         let Ok(()) = timed(&mut self.draw, || draw(&mut frame));
-        self.pixels_drawn += frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
+        self.pixels_drawn +=
+            frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
     }
 }
 

@@ -1,14 +1,14 @@
 //! Counts instructions in QEMU, as `-icount shift=0` makes it: one takes a nanosecond.
 //!
-//! A count is in units of the core's timer: the system timer of Cortex-M boards ticks at 25 MHz (20 MHz on mps2-an505),
-//! every 40 (50) instructions; on RISC-V the register `mcycle` counts them one by one. On the host nothing is counted.
+//! A count is in units of the core's timer: the system timer of Cortex-M boards ticks at 25 MHz (20
+//! MHz on mps2-an505), every 40 (50) instructions; on RISC-V the register `mcycle` counts them one
+//! by one. On the host nothing is counted.
 
 /// Starts the timer.
 #[cfg(all(target_os = "none", target_arch = "arm"))]
 pub fn start() {
     if let Some(mut core) = cortex_m::Peripherals::take() {
-        core.SYST
-            .set_clock_source(cortex_m::peripheral::syst::SystClkSource::Core);
+        core.SYST.set_clock_source(cortex_m::peripheral::syst::SystClkSource::Core);
         core.SYST.set_reload(0xFF_FFFF);
         core.SYST.clear_current();
         core.SYST.enable_counter();
@@ -45,8 +45,8 @@ impl Moment {
         Self(0)
     }
 
-    /// Units since then. The system timer has 24 bits: it goes round after 671 million instructions, `mcycle` after
-    /// 4,295 million.
+    /// Units since then. The system timer has 24 bits: it goes round after 671 million
+    /// instructions, `mcycle` after 4,295 million.
     #[cfg_attr(
         not(target_os = "none"),
         expect(clippy::missing_const_for_fn, reason = "on a core it reads the timer")

@@ -32,14 +32,16 @@ const TRIANGLES: usize = 1700;
 const ROWS: u32 = 24;
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(SIDE, SIDE));
-const LENS: Perspective = match Perspective::new(Angle::degrees(40), Distance::lit("0.02"), Distance::lit("100")) {
-    Ok(lens) => lens,
-    Err(_) => panic!("the lens makes no sense"),
-};
-const PARALLEL: Orthographic = match Orthographic::new(Distance::lit("2.2"), Distance::lit("0.5"), Distance::lit("9")) {
-    Ok(lens) => lens,
-    Err(_) => panic!("the lens makes no sense"),
-};
+const LENS: Perspective =
+    match Perspective::new(Angle::degrees(40), Distance::lit("0.02"), Distance::lit("100")) {
+        Ok(lens) => lens,
+        Err(_) => panic!("the lens makes no sense"),
+    };
+const PARALLEL: Orthographic =
+    match Orthographic::new(Distance::lit("2.2"), Distance::lit("0.5"), Distance::lit("9")) {
+        Ok(lens) => lens,
+        Err(_) => panic!("the lens makes no sense"),
+    };
 
 /// Draws all frames, each as a whole and again in bands, and prints a line for each.
 pub fn run(memory: &mut Memory<PIXELS>) {
@@ -49,15 +51,19 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     let rocket = Object::new(&models::ROCKET, gouraud);
     let knot = Object::new(&models::TORUS_KNOT, gouraud);
     for frame in 0..4 {
-        let pose = Pose::rotated(Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::turns(frame, 4)));
+        let pose = Pose::rotated(
+            Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::turns(frame, 4)),
+        );
         // Filling the picture; with the surface through the near plane; from inside.
         for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
-            let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
+            let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+                .unwrap_or_else(fail);
             report(("gear", view, frame), &gear.posed(pose), &camera, memory);
             report(("rocket", view, frame), &rocket.posed(pose), &camera, memory);
             report(("torus_knot", view, frame), &knot.posed(pose), &camera, memory);
         }
-        let camera = Camera::at(Vec3::lit("0", "0", "3"), Rotation::IDENTITY, PARALLEL, AREA).unwrap_or_else(fail);
+        let camera = Camera::at(Vec3::lit("0", "0", "3"), Rotation::IDENTITY, PARALLEL, AREA)
+            .unwrap_or_else(fail);
         report(("rocket", "parallel", frame), &rocket.posed(pose), &camera, memory);
     }
     flat(memory, light);
@@ -65,9 +71,12 @@ pub fn run(memory: &mut Memory<PIXELS>) {
 
 /// A convex body, straight into memory without depth, by the normals of its triangles.
 fn flat(memory: &mut Memory<PIXELS>, light: Light) {
-    let camera = Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
+    let camera =
+        Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; models::CUBE.vertex_count()];
-    let pose = Pose::rotated(Rotation::about_x(Angle::degrees(30)) * Rotation::about_y(Angle::degrees(40)));
+    let pose = Pose::rotated(
+        Rotation::about_x(Angle::degrees(30)) * Rotation::about_y(Angle::degrees(40)),
+    );
     let cube = Object::new(&models::CUBE, Flat::<Rgb565Be>::new(light)).posed(pose);
     let mut frame = Frame::without_depth(&mut memory.color, AREA).unwrap_or_else(fail);
     frame.clear(Rgb565Be::BLACK);
@@ -87,7 +96,8 @@ fn report<P: Projection, Sh: Shader<Color = Rgb565Be, Varyings = [u16; 1]>>(
     console::line(format_args!("{model} {view} {frame} S4 {coarse:08x} S8 {fine:08x}"));
 }
 
-/// Draws a frame as a whole, again in bands, and again without storage for vertices, and checks that they are the same.
+/// Draws a frame as a whole, again in bands, and again without storage for vertices, and checks
+/// that they are the same.
 fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
@@ -102,7 +112,8 @@ fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
     let whole = hash(0, frame.pixels());
 
     let pixels = (SIDE * ROWS) as usize;
-    let mut bands = Bands::new(AREA, &mut color[..pixels], &mut depth[..pixels]).unwrap_or_else(fail);
+    let mut bands =
+        Bands::new(AREA, &mut color[..pixels], &mut depth[..pixels]).unwrap_or_else(fail);
     let mut bins = [0; bin_words(TRIANGLES, SIDE, ROWS)];
     let mut display = Hashing(0);
     let binned = seen.binned(ROWS, &mut bins).unwrap_or_else(fail);
@@ -130,7 +141,10 @@ impl DrawTarget for Hashing {
     type Color = Rgb565Be;
     type Error = Infallible;
 
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565Be>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565Be>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), Infallible> {
         self.fill_contiguous(&AREA, pixels.into_iter().map(|pixel| pixel.1))
     }
 
@@ -144,7 +158,8 @@ impl DrawTarget for Hashing {
     }
 }
 
-/// FNV-1a over the pixels' 16-bit values as a number of any core, going on from the hash of what came before.
+/// FNV-1a over the pixels' 16-bit values as a number of any core, going on from the hash of what
+/// came before.
 fn hash(before: u32, pixels: &[Rgb565Be]) -> u32 {
     let start = before ^ 0x811C_9DC5;
     let end = pixels.iter().fold(start, |hash, &pixel| {

@@ -21,9 +21,6 @@ impl<const PIXELS: usize> Memory<PIXELS> {
     /// For a static.
     #[must_use]
     pub const fn shared() -> Shared<PIXELS> {
-        Mutex::new(RefCell::new(Self {
-            color: [Rgb565Be::BLACK; PIXELS],
-            depth: [0; PIXELS],
-        }))
+        Mutex::new(RefCell::new(Self { color: [Rgb565Be::BLACK; PIXELS], depth: [0; PIXELS] }))
     }
 }

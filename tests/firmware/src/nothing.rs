@@ -20,10 +20,7 @@ impl<D> Nothing<D> {
     /// For the pixels of an area.
     #[must_use]
     pub const fn new(area: &Rectangle) -> Self {
-        Self {
-            window: Window::new(area),
-            depth: PhantomData,
-        }
+        Self { window: Window::new(area), depth: PhantomData }
     }
 }
 

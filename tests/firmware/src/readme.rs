@@ -20,7 +20,8 @@ const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
 pub fn show<T: DrawTarget<Color = Rgb565>>(display: &mut T, turn: Angle) -> Result<(), T::Error> {
     let lens = const { Perspective::new(Angle::degrees(40), NEAR, FAR) }.unwrap();
     let camera = Camera::look_at(EYE, Vec3::ZERO, Vec3::Y, lens, SCREEN).unwrap();
-    let rocket = Object::new(&ROCKET, Gouraud::new(LIGHT)).posed(Pose::rotated(Rotation::about_y(turn)));
+    let rocket =
+        Object::new(&ROCKET, Gouraud::new(LIGHT)).posed(Pose::rotated(Rotation::about_y(turn)));
 
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; NEEDS.vertices];
     let mut bins = [0; NEEDS.bin_words];

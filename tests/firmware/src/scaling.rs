@@ -27,7 +27,8 @@ pub const TRIANGLES: usize = 100_352;
 /// Each shows other pixels along the same edges; four smooth a curve as well as eight.
 const FRAMES: u32 = 4;
 
-/// Parallels and meridians of spheres with 100 to 100,000 triangles, about twice as many from each to the next.
+/// Parallels and meridians of spheres with 100 to 100,000 triangles, about twice as many from each
+/// to the next.
 const SPHERES: [(u16, u16); 11] = [
     (5, 10),
     (7, 14),
@@ -43,9 +44,10 @@ const SPHERES: [(u16, u16); 11] = [
 ];
 /// Cells along a side of squares with 98 to 100,352 triangles.
 const SQUARES: [u16; 11] = [7, 10, 14, 20, 28, 40, 56, 79, 112, 158, 224];
-/// How many pixels wide a sphere of radius 1 is that lies at distance 2.4, and the focal length in pixels that makes it so:
-/// width x sqrt(2.4<sup>2</sup> - 1) / 2. From each to the next it covers twice as many pixels; beyond the width of the
-/// display only part of it is seen, and beyond 1,728 pixels it reaches out of the guard band and is clipped.
+/// How many pixels wide a sphere of radius 1 is that lies at distance 2.4, and the focal length in
+/// pixels that makes it so: width x sqrt(2.4<sup>2</sup> - 1) / 2. From each to the next it covers
+/// twice as many pixels; beyond the width of the display only part of it is seen, and beyond 1,728
+/// pixels it reaches out of the guard band and is clipped.
 const WIDTHS: [(usize, &str); 18] = [
     (8, "8.727"),
     (11, "12.342"),

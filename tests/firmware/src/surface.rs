@@ -1,4 +1,5 @@
-//! Spheres and squares of any number of triangles, made where they are drawn: as constants they would fill the flash.
+//! Spheres and squares of any number of triangles, made where they are drawn: as constants they
+//! would fill the flash.
 
 use core::cell::RefCell;
 
@@ -26,7 +27,8 @@ pub struct Surface<const VERTICES: usize, const TRIANGLES: usize> {
 }
 
 /// A surface in a static, lent to one at a time.
-pub type Shared<const VERTICES: usize, const TRIANGLES: usize> = Mutex<RefCell<Surface<VERTICES, TRIANGLES>>>;
+pub type Shared<const VERTICES: usize, const TRIANGLES: usize> =
+    Mutex<RefCell<Surface<VERTICES, TRIANGLES>>>;
 
 impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES> {
     /// For a static: no surface yet.
@@ -36,26 +38,22 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
             positions: [[0; 3]; VERTICES],
             normals: [[0; 3]; VERTICES],
             triangles: [[0; 3]; TRIANGLES],
-            material: [Material {
-                color: [0; 3],
-                triangle_count: 0,
-            }],
+            material: [Material { color: [0; 3], triangle_count: 0 }],
             vertex_count: 0,
             triangle_count: 0,
         }))
     }
 
-    /// A sphere of radius 1 with so many parallels between its poles: 2 `parallels` `meridians` triangles.
+    /// A sphere of radius 1 with so many parallels between its poles: 2 `parallels` `meridians`
+    /// triangles.
     ///
     /// # Panics
     ///
     /// As [`square`](Self::square).
     pub fn sphere(&mut self, parallels: u16, meridians: u16) {
         self.clear();
-        let (north, south) = (
-            self.vertex([0, UNIT, 0], [0, 127, 0]),
-            self.vertex([0, -UNIT, 0], [0, -127, 0]),
-        );
+        let (north, south) =
+            (self.vertex([0, UNIT, 0], [0, 127, 0]), self.vertex([0, -UNIT, 0], [0, -127, 0]));
         for parallel in 1..=parallels {
             for meridian in 0..meridians {
                 let colatitude = Angle::turns(parallel.into(), 2 * u32::from(parallels + 1));
@@ -66,11 +64,14 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
                     colatitude.sin() * longitude.cos(),
                 ];
                 // From Q30, to the nearest.
-                let to = |unit: i64| direction.map(|c| ((i64::from(c.to_bits()) * unit + (1 << 29)) >> 30) as i32);
+                let to = |unit: i64| {
+                    direction.map(|c| ((i64::from(c.to_bits()) * unit + (1 << 29)) >> 30) as i32)
+                };
                 self.vertex(to(UNIT.into()), to(127));
             }
         }
-        let at = |parallel: u16, meridian: u16| 2 + (parallel - 1) * meridians + meridian % meridians;
+        let at =
+            |parallel: u16, meridian: u16| 2 + (parallel - 1) * meridians + meridian % meridians;
         for meridian in 0..meridians {
             let next = meridian + 1;
             self.triangle([north, at(1, meridian), at(1, next)]);
@@ -84,7 +85,8 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
         }
     }
 
-    /// The square of side 2 that faces +z, of `cells` x `cells` cells: 2 `cells`<sup>2</sup> triangles.
+    /// The square of side 2 that faces +z, of `cells` x `cells` cells: 2 `cells`<sup>2</sup>
+    /// triangles.
     ///
     /// # Panics
     ///
@@ -145,9 +147,6 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
     const fn triangle(&mut self, corners: [u16; 3]) {
         self.triangles[self.triangle_count as usize] = corners;
         self.triangle_count += 1;
-        self.material[0] = Material {
-            color: [200, 160, 60],
-            triangle_count: self.triangle_count,
-        };
+        self.material[0] = Material { color: [200, 160, 60], triangle_count: self.triangle_count };
     }
 }

@@ -57,8 +57,8 @@ fn opt_level(lines: &[String]) -> Result<String> {
 
 /// The date of a day counted from 1970-01-01.
 ///
-/// Howard Hinnant, "chrono-compatible low-level date algorithms", `civil_from_days`: years begin in March, so that the
-/// day that some lack is their last; 400 years are 146,097 days.
+/// Howard Hinnant, "chrono-compatible low-level date algorithms", `civil_from_days`: years begin in
+/// March, so that the day that some lack is their last; 400 years are 146,097 days.
 fn date(day: u64) -> String {
     let day = day + 719_468; // from 0000-03-01
     let (era, day) = (day / 146_097, day % 146_097);
@@ -90,12 +90,7 @@ mod tests {
     #[test]
     fn the_first_line_is_the_opt_level() {
         assert_eq!(opt_level(&["opt-level s".into(), "x".into()]).unwrap(), "s");
-        assert!(
-            opt_level(&["panicked".into()])
-                .unwrap_err()
-                .to_string()
-                .contains("`panicked`")
-        );
+        assert!(opt_level(&["panicked".into()]).unwrap_err().to_string().contains("`panicked`"));
         assert!(opt_level(&[]).is_err());
     }
 }

@@ -4,10 +4,13 @@ use clap::ValueEnum;
 use serde::{Deserialize, Serialize};
 
 /// A core, by its name on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, ValueEnum, Serialize, Deserialize)]
+#[derive(
+    Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord, ValueEnum, Serialize, Deserialize,
+)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Core {
-    /// Cortex-M0+ code. QEMU has no ARMv6-M board with enough memory; its Cortex-M3 retires the same instructions.
+    /// Cortex-M0+ code. QEMU has no ARMv6-M board with enough memory; its Cortex-M3 retires the
+    /// same instructions.
     #[value(help = "Cortex-M0+")]
     M0plus,
     /// Cortex-M4.
@@ -85,8 +88,9 @@ impl Core {
         }
     }
 
-    /// Instructions to a unit of the firmware's counter, with `-icount shift=0`: at a nanosecond each, a system timer at
-    /// 25 MHz ticks every 40 of them, one at 20 MHz every 50; `mcycle` counts every one.
+    /// Instructions to a unit of the firmware's counter, with `-icount shift=0`: at a nanosecond
+    /// each, a system timer at 25 MHz ticks every 40 of them, one at 20 MHz every 50; `mcycle`
+    /// counts every one.
     pub(crate) const fn instructions_per_count(self) -> u64 {
         match self {
             Self::M0plus | Self::M4 | Self::M7 => 40,

@@ -86,10 +86,7 @@ mod tests {
         let lines = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
         let found = |host: &[&str], core: &[String]| {
             let pairs = differences(host, core);
-            pairs
-                .iter()
-                .map(|pair| format!("{}/{}", pair.host, pair.core))
-                .collect::<Vec<_>>()
+            pairs.iter().map(|pair| format!("{}/{}", pair.host, pair.core)).collect::<Vec<_>>()
         };
         assert!(found(&["a", "b"], &lines("a b")).is_empty());
         assert_eq!(found(&["a", "b"], &lines("a c")), ["b/c"]);

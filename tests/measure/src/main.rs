@@ -31,8 +31,8 @@ Examples:
 
 Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is missing.";
 
-/// Builds the firmware for microcontrollers, runs it in QEMU, and says whether it draws the same frames there as on the
-/// host and what they cost.
+/// Builds the firmware for microcontrollers, runs it in QEMU, and says whether it draws the same
+/// frames there as on the host and what they cost.
 #[derive(Debug, Parser)]
 #[command(name = "measure", version, after_help = EXAMPLES)]
 struct Arguments {
@@ -59,10 +59,7 @@ struct Done {
 
 impl Default for Done {
     fn default() -> Self {
-        Self {
-            text: String::new(),
-            is_good: true,
-        }
+        Self { text: String::new(), is_good: true }
     }
 }
 
@@ -88,7 +85,9 @@ fn main() -> ExitCode {
 fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(error).context("the result could not be printed"),
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => {
+            Err(error).context("the result could not be printed")
+        }
         _ => Ok(()),
     }
 }

@@ -54,11 +54,7 @@ pub(crate) mod tests {
             opt_level: "3".into(),
             qemu: "7.2".into(),
         };
-        let measured = Measured {
-            core,
-            conditions,
-            figures,
-        };
+        let measured = Measured { core, conditions, figures };
         PerCore { cores: vec![measured] }
     }
 
@@ -80,7 +76,8 @@ pub(crate) mod tests {
         let figures = of(Core::Riscv, Answer { answer: 42 });
         let text = serde_json::to_string(&figures).unwrap();
         assert!(
-            text.contains(r#""core":"riscv","date":"2026-01-31""#) && text.contains(r#""answer":42"#),
+            text.contains(r#""core":"riscv","date":"2026-01-31""#)
+                && text.contains(r#""answer":42"#),
             "{text}"
         );
         assert_eq!(serde_json::from_str::<PerCore<Answer>>(&text).unwrap(), figures);

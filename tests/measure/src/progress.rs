@@ -11,7 +11,9 @@ impl Progress {
     /// For a number of steps.
     pub(crate) fn over(steps: usize) -> Self {
         let bar = ProgressBar::new(steps as u64);
-        if let Ok(style) = ProgressStyle::with_template("[{bar:20}] {pos} of {len}: {msg}, {elapsed}") {
+        if let Ok(style) =
+            ProgressStyle::with_template("[{bar:20}] {pos} of {len}: {msg}, {elapsed}")
+        {
             bar.set_style(style.progress_chars("=> "));
         }
         bar.enable_steady_tick(Duration::from_millis(200));

@@ -6,7 +6,8 @@ use anyhow::{Result, bail};
 
 use crate::{cores::Core, firmware};
 
-/// Runs a program on a core to its end, counting instructions, and returns the lines that it prints.
+/// Runs a program on a core to its end, counting instructions, and returns the lines that it
+/// prints.
 ///
 /// # Errors
 ///
@@ -28,19 +29,12 @@ pub(crate) fn run(core: Core, program: &Path) -> Result<Vec<String>> {
         Err(error) if error.kind() == ErrorKind::NotFound => bail!("{}", not_installed(core)),
         output => output?,
     };
-    let lines: Vec<_> = String::from_utf8_lossy(&output.stdout)
-        .lines()
-        .map(str::to_owned)
-        .collect();
+    let lines: Vec<_> =
+        String::from_utf8_lossy(&output.stdout).lines().map(str::to_owned).collect();
     if !output.status.success() {
         let last = lines.iter().rev().take(3).rev().cloned().collect::<Vec<_>>().join("\n");
         let said = String::from_utf8_lossy(&output.stderr);
-        bail!(
-            "{} failed on {}:\n{last}\n{}",
-            program.display(),
-            core.title(),
-            said.trim_end()
-        );
+        bail!("{} failed on {}:\n{last}\n{}", program.display(), core.title(), said.trim_end());
     }
     Ok(lines)
 }
@@ -54,9 +48,7 @@ pub(crate) fn version(core: Core) -> Result<String> {
     let Ok(text) = firmware::output_of(Command::new(core.emulator()).arg("--version")) else {
         bail!("{}", not_installed(core));
     };
-    let words = text
-        .split_whitespace()
-        .find(|word| word.starts_with(|c: char| c.is_ascii_digit()));
+    let words = text.split_whitespace().find(|word| word.starts_with(|c: char| c.is_ascii_digit()));
     Ok(words.unwrap_or("unknown").to_owned())
 }
 
@@ -65,8 +57,5 @@ fn not_installed(core: Core) -> String {
         Core::Riscv => "qemu-system-misc",
         _ => "qemu-system-arm",
     };
-    format!(
-        "{} is not installed: on Debian it is in the package {package}",
-        core.emulator()
-    )
+    format!("{} is not installed: on Debian it is in the package {package}", core.emulator())
 }

@@ -27,8 +27,9 @@ pub(crate) fn load<T: DeserializeOwned>(name: &str) -> Result<Option<T>> {
         text => text.with_context(|| path.display().to_string())?,
     };
     let figures = serde_json::from_str(&text);
-    let figures =
-        figures.with_context(|| format!("{} holds no such figures: remove it, or restore it", path.display()));
+    let figures = figures.with_context(|| {
+        format!("{} holds no such figures: remove it, or restore it", path.display())
+    });
     Ok(Some(figures?))
 }
 

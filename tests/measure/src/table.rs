@@ -4,7 +4,8 @@
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Table {
     rows: Vec<Vec<String>>,
-    /// How many columns, from the first on, are of words: they begin at the left, the others end at the right.
+    /// How many columns, from the first on, are of words: they begin at the left, the others end
+    /// at the right.
     words: usize,
 }
 
@@ -48,7 +49,8 @@ impl Table {
             let cells = (0..columns).map(cell).collect::<Vec<_>>();
             text.push_str(&format!("| {} |\n", cells.join(" | ")));
             if number == 0 {
-                let rules = (0..columns).map(|column| if column < self.words { "---" } else { "---:" });
+                let rules =
+                    (0..columns).map(|column| if column < self.words { "---" } else { "---:" });
                 text.push_str(&format!("| {} |\n", rules.collect::<Vec<_>>().join(" | ")));
             }
         }
@@ -86,8 +88,7 @@ mod tests {
 
     #[test]
     fn markdown_has_every_column_in_every_row() {
-        let expected =
-            "| scene | pixels | met |\n| --- | ---: | ---: |\n| cube | 54,617 | yes |\n| a sphere | 7 |  |\n";
+        let expected = "| scene | pixels | met |\n| --- | ---: | ---: |\n| cube | 54,617 | yes |\n| a sphere | 7 |  |\n";
         assert_eq!(table().markdown(), expected);
     }
 }

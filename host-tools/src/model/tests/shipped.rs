@@ -32,13 +32,11 @@ fn shipped_models_are_what_the_generator_makes() {
     }
 }
 
-/// Six times the volume inside each connected part of a surface, if each of its edges lies between two triangles in
-/// opposite directions.
+/// Six times the volume inside each connected part of a surface, if each of its edges lies between
+/// two triangles in opposite directions.
 fn volumes_if_closed(model: &Model) -> Option<Vec<f64>> {
-    let triangles: Vec<[Vector; 3]> = indices(model)
-        .into_iter()
-        .map(|t| t.map(|v| model.exact.positions[v]))
-        .collect();
+    let triangles: Vec<[Vector; 3]> =
+        indices(model).into_iter().map(|t| t.map(|v| model.exact.positions[v])).collect();
     let edge = |t: &[Vector; 3], i: usize| (key(t[i]), key(t[(i + 1) % 3]));
     let mut owner = HashMap::new();
     for (number, triangle) in triangles.iter().enumerate() {
@@ -73,11 +71,9 @@ fn volumes_if_closed(model: &Model) -> Option<Vec<f64>> {
 
 #[test]
 fn shipped_models_are_closed_and_face_outwards() {
-    for (name, triangles, materials, parts) in [
-        ("gear.obj", 1_680, 2, 1),
-        ("torus_knot.obj", 1_280, 1, 1),
-        ("rocket.obj", 840, 5, 6),
-    ] {
+    for (name, triangles, materials, parts) in
+        [("gear.obj", 1_680, 2, 1), ("torus_knot.obj", 1_280, 1, 1), ("rocket.obj", 840, 5, 6)]
+    {
         let model = Model::load(path(name), &Options::default()).unwrap();
         println!("{name}\n{}", model.report);
         assert_eq!(model.warnings, [""; 0], "{name}");
@@ -94,5 +90,8 @@ fn shipped_models_are_closed_and_face_outwards() {
     }
     // The test can tell: a cube without one face is open.
     assert!(volumes_if_closed(&cube(&Options::default())).is_some());
-    assert!(volumes_if_closed(&load(&CUBE.replace("f 1 2 6 5\n", ""), &Options::default()).unwrap()).is_none());
+    assert!(
+        volumes_if_closed(&load(&CUBE.replace("f 1 2 6 5\n", ""), &Options::default()).unwrap())
+            .is_none()
+    );
 }

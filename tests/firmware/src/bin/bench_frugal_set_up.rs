@@ -1,4 +1,5 @@
-//! Prints what such bands cost without their pixels; on the host, where nothing counts instructions, zeros.
+//! Prints what such bands cost without their pixels; on the host, where nothing counts
+//! instructions, zeros.
 
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg_attr(target_os = "none", no_main)]

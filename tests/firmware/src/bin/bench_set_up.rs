@@ -1,4 +1,5 @@
-//! Prints what the frames of each bench scene cost without their pixels; on the host, where nothing counts instructions, zeros.
+//! Prints what the frames of each bench scene cost without their pixels; on the host, where nothing
+//! counts instructions, zeros.
 
 #![cfg_attr(target_os = "none", no_std)]
 #![cfg_attr(target_os = "none", no_main)]

@@ -13,8 +13,8 @@ use embedded_graphics_core::{
 /// The largest picture.
 const SIZE: Size = Size::new(320, 240);
 
-/// A display of 320 x 240 pixels that costs next to no code, and lets the compiler leave out none of the
-/// rasterizer's.
+/// A display of 320 x 240 pixels that costs next to no code, and lets the compiler leave out none
+/// of the rasterizer's.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Display {
     checksum: u32,
@@ -47,7 +47,10 @@ impl DrawTarget for Display {
     type Color = Rgb565;
     type Error = Infallible;
 
-    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(
+        &mut self,
+        pixels: I,
+    ) -> Result<(), Infallible> {
         for Pixel(point, color) in pixels {
             self.go_to(point.x, point.y);
             self.take(color.into_storage().into());

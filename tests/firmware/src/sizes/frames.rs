@@ -11,7 +11,9 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::Camera,
-    geometry::{Clipping, Culling, DepthFormat, NoDepth, Pose, Projection, ScreenVertex, Subpixel, Varyings},
+    geometry::{
+        Clipping, Culling, DepthFormat, NoDepth, Pose, Projection, ScreenVertex, Subpixel, Varyings,
+    },
     numbers::{Angle, Rotation, Vec3},
     raster::Interpolate,
     scene::Object,
@@ -37,10 +39,7 @@ pub(super) struct View {
 
 impl View {
     const fn new(distance: &str, degrees: u32) -> Self {
-        Self {
-            eye: Vec3::lit("0", "0", distance),
-            turn: Angle::degrees(degrees),
-        }
+        Self { eye: Vec3::lit("0", "0", distance), turn: Angle::degrees(degrees) }
     }
 
     /// The pose of the objects.
@@ -49,14 +48,10 @@ impl View {
     }
 }
 
-/// As a whole, closer than the near plane allows, from inside, and from afar: so every path of the rasterizer is taken,
-/// and the stack comes as far as it can.
-const VIEWS: [View; 4] = [
-    View::new("4", 40),
-    View::new("1.05", 85),
-    View::new("0.05", 130),
-    View::new("99", 175),
-];
+/// As a whole, closer than the near plane allows, from inside, and from afar: so every path of the
+/// rasterizer is taken, and the stack comes as far as it can.
+const VIEWS: [View; 4] =
+    [View::new("4", 40), View::new("1.05", 85), View::new("0.05", 130), View::new("99", 175)];
 
 /// Draws a frame for each view. They are hidden from the compiler, as a program's input is.
 pub(super) fn for_each_view(mut draw: impl FnMut(&View) -> Option<()>) -> Option<()> {
@@ -98,7 +93,12 @@ where
     V: Varyings + Interpolate,
 {
     /// Projects the object's vertices once, and draws it into each band.
-    pub(super) fn draw<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling, L: Clipping>(
+    pub(super) fn draw<
+        P: Projection,
+        Sh: Shader<Color = Rgb565, Varyings = V>,
+        K: Culling,
+        L: Clipping,
+    >(
         &mut self,
         object: &Object<'_, Sh, K, L>,
         camera: &Camera<P>,
@@ -115,7 +115,12 @@ where
     }
 
     /// The same with the triangles sorted into the bands.
-    pub(super) fn draw_binned<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling, L: Clipping>(
+    pub(super) fn draw_binned<
+        P: Projection,
+        Sh: Shader<Color = Rgb565, Varyings = V>,
+        K: Culling,
+        L: Clipping,
+    >(
         &mut self,
         bins: &mut [u32],
         object: &Object<'_, Sh, K, L>,
@@ -162,7 +167,12 @@ where
     }
 
     /// The same straight onto the display, as far as the camera's viewport goes.
-    pub(super) fn draw_directly<P: Projection, Sh: Shader<Color = Rgb565, Varyings = V>, K: Culling, L: Clipping>(
+    pub(super) fn draw_directly<
+        P: Projection,
+        Sh: Shader<Color = Rgb565, Varyings = V>,
+        K: Culling,
+        L: Clipping,
+    >(
         &mut self,
         object: &Object<'_, Sh, K, L>,
         camera: &Camera<P>,

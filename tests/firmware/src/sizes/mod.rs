@@ -1,11 +1,12 @@
 //! Scenes whose flash and RAM are measured, from an empty program up to everything at once.
 //!
-//! Each is a program of its own (`size_*`), so that what it does not need is not linked. It keeps its buffers in a
-//! static, draws its frames on a [`Display`] that keeps nothing but a checksum, leaves that in [`CHECKSUM`] and ends.
-//! It formats nothing and unwraps nothing: whatever goes wrong, it draws nothing, and the checksum stays 0.
+//! Each is a program of its own (`size_*`), so that what it does not need is not linked. It keeps
+//! its buffers in a static, draws its frames on a [`Display`] that keeps nothing but a checksum,
+//! leaves that in [`CHECKSUM`] and ends. It formats nothing and unwraps nothing: whatever goes
+//! wrong, it draws nothing, and the checksum stays 0.
 //!
-//! Whoever runs it in QEMU reads the RAM when the core asks for a reset: the buffers, the checksum, and how far the
-//! stack has come.
+//! Whoever runs it in QEMU reads the RAM when the core asks for a reset: the buffers, the checksum,
+//! and how far the stack has come.
 
 mod display;
 mod frames;
@@ -18,8 +19,8 @@ pub use frames::Bands;
 #[cfg(models)]
 pub use scenes::Spot;
 pub use scenes::{
-    Deep, Empty, Everything, FlatBands, FlatDepth, FlatDirect, GouraudBinned, GouraudS4, GouraudS8, GouraudUnclipped,
-    GouraudWide, Parallel, Sorted, Store, UnlitDirect,
+    Deep, Empty, Everything, FlatBands, FlatDepth, FlatDirect, GouraudBinned, GouraudS4, GouraudS8,
+    GouraudUnclipped, GouraudWide, Parallel, Sorted, Store, UnlitDirect,
 };
 
 /// What the display has seen when the scene ended; 0 before, and if it could not be drawn.
@@ -46,15 +47,16 @@ pub fn run<S: Scene>(memory: &mut S::Memory) {
     }
 }
 
-/// The rest of a program that draws one scene: on a microcontroller the entry, the buffers, the end and a panic handler
-/// without a message; on the host a program that prints the checksum.
+/// The rest of a program that draws one scene: on a microcontroller the entry, the buffers, the end
+/// and a panic handler without a message; on the host a program that prints the checksum.
 #[macro_export]
 macro_rules! scene {
     ($scene:ty) => {
         #[cfg(target_os = "none")]
         #[cortex_m_rt::entry]
         fn main() -> ! {
-            static mut MEMORY: <$scene as $crate::sizes::Scene>::Memory = <$scene as $crate::sizes::Scene>::MEMORY;
+            static mut MEMORY: <$scene as $crate::sizes::Scene>::Memory =
+                <$scene as $crate::sizes::Scene>::MEMORY;
             $crate::sizes::run::<$scene>(MEMORY);
             cortex_m::peripheral::SCB::sys_reset()
         }

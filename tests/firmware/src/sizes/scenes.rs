@@ -1,4 +1,5 @@
-//! The scenes. Each but the first two differs from the one before it, or from [`GouraudS4`], in one choice.
+//! The scenes. Each but the first two differs from the one before it, or from [`GouraudS4`], in one
+//! choice.
 
 use core::hint::black_box;
 
@@ -8,7 +9,9 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{ClipAll, ClipNone, Clipping, CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel},
+    geometry::{
+        ClipAll, ClipNone, Clipping, CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel,
+    },
     mesh::Mesh,
     numbers::{Angle, Rotation, Vec3},
     scene::{Object, bin_words},
@@ -83,7 +86,8 @@ impl Scene for Empty {
     }
 }
 
-/// Nothing but an array of [`BYTES`](Self::BYTES) on the stack, by which the measurement of the stack is checked.
+/// Nothing but an array of [`BYTES`](Self::BYTES) on the stack, by which the measurement of the
+/// stack is checked.
 #[derive(Clone, Copy, Debug)]
 pub struct Deep;
 
@@ -104,8 +108,8 @@ impl Scene for Deep {
     }
 }
 
-/// A cube without light or depth, straight onto the display. Like the next two it is a small display's only object, which
-/// its author keeps before the camera: nothing is clipped.
+/// A cube without light or depth, straight onto the display. Like the next two it is a small
+/// display's only object, which its author keeps before the camera: nothing is clipped.
 #[derive(Clone, Copy, Debug)]
 pub struct UnlitDirect;
 
@@ -204,10 +208,8 @@ pub struct Sorted {
 impl Scene for GouraudBinned {
     type Memory = Sorted;
 
-    const MEMORY: Sorted = Sorted {
-        bands: Bands::EMPTY,
-        bins: [0; bin_words(BALL.triangle_count(), HEIGHT, ROWS)],
-    };
+    const MEMORY: Sorted =
+        Sorted { bands: Bands::EMPTY, bins: [0; bin_words(BALL.triangle_count(), HEIGHT, ROWS)] };
 
     fn draw(memory: &mut Sorted, display: &mut Display) -> Option<()> {
         let gouraud = Gouraud::new(LIGHT);
@@ -291,7 +293,8 @@ impl Scene for Spot {
     }
 }
 
-/// Everything together: both projections, all ways to keep depth and to light, indices of both widths.
+/// Everything together: both projections, all ways to keep depth and to light, indices of both
+/// widths.
 #[derive(Clone, Copy, Debug)]
 pub struct Everything;
 
@@ -353,7 +356,8 @@ impl Store {
         for rows in BandAreas::new(PICTURE, ROWS) {
             let mut band = Frame::new(&mut self.color, &mut self.near, rows).ok()?;
             band.clear(Rgb565::BLACK);
-            let (Ok(()), Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band), plain.draw(&mut band));
+            let (Ok(()), Ok(()), Ok(())) =
+                (smooth.draw(&mut band), faceted.draw(&mut band), plain.draw(&mut band));
             let Ok(()) = band.present(display);
         }
         Some(())

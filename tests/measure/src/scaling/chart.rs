@@ -13,8 +13,9 @@ const CORNERS: [[f64; 2]; 2] = [[64.0, 44.0], [564.0, 44.0]];
 /// Names at the ends of the lines keep this distance.
 const LINE_HEIGHT: f64 = 15.0;
 
-/// Colours that can be told apart on white and on black, and by those who see red and green alike (Okabe and Ito, "Color
-/// Universal Design", 2008: blue, vermillion, bluish green, reddish purple, orange).
+/// Colours that can be told apart on white and on black, and by those who see red and green alike
+/// (Okabe and Ito, "Color Universal Design", 2008: blue, vermillion, bluish green, reddish purple,
+/// orange).
 const STYLE: &str = "\
 text { font: 12px sans-serif; fill: #444; }
 .title { font-size: 14px; fill: #222; }
@@ -83,10 +84,7 @@ pub(super) fn svg(scaling: &Scaling) -> String {
 fn points(core: &Measured<Points>, curve: Curve) -> Vec<[f64; 2]> {
     let precision = if core.core == Core::M0plus { "S4" } else { "S8" };
     let points = core.figures.curve(curve, precision);
-    points
-        .iter()
-        .map(|point| [point.at as f64, point.instructions as f64])
-        .collect()
+    points.iter().map(|point| [point.at as f64, point.instructions as f64]).collect()
 }
 
 /// A logarithmic axis: the decimal logarithms of its ends.
@@ -100,22 +98,15 @@ impl Axis {
     /// From the least of the values to the largest; at least a decade.
     fn over(values: impl Iterator<Item = f64>) -> Self {
         let range = |(first, last): (f64, f64), log: f64| (first.min(log), last.max(log));
-        let (first, last) = values
-            .map(|value| value.max(1.0).log10())
-            .fold((f64::INFINITY, 0.0), range);
+        let (first, last) =
+            values.map(|value| value.max(1.0).log10()).fold((f64::INFINITY, 0.0), range);
         let first = first.min(last);
-        Self {
-            first,
-            last: last.max(first + 1.0),
-        }
+        Self { first, last: last.max(first + 1.0) }
     }
 
     /// The whole decades that it touches.
     const fn of_whole_decades(self) -> Self {
-        Self {
-            first: self.first.floor(),
-            last: self.last.ceil(),
-        }
+        Self { first: self.first.floor(), last: self.last.ceil() }
     }
 
     /// Where a value lies, from 0 to 1.
@@ -142,12 +133,11 @@ impl Chart {
     fn draw(&self, svg: &mut String, [left, top]: [f64; 2]) {
         let [width, height] = AREA;
         let values = |axis: usize| {
-            self.lines
-                .iter()
-                .flat_map(move |line| line.points.iter().map(move |point| point[axis]))
+            self.lines.iter().flat_map(move |line| line.points.iter().map(move |point| point[axis]))
         };
         let (across, up) = (Axis::over(values(0)), Axis::over(values(1)).of_whole_decades());
-        let place = |[x, y]: [f64; 2]| [left + width * across.at(x), top + height * (1.0 - up.at(y))];
+        let place =
+            |[x, y]: [f64; 2]| [left + width * across.at(x), top + height * (1.0 - up.at(y))];
         let bottom = top + height;
 
         // Writing to a string cannot fail.
@@ -192,10 +182,8 @@ impl Chart {
                 points.join(" ")
             );
         }
-        let ends = self
-            .lines
-            .iter()
-            .map(|line| line.points.last().map_or(bottom, |&end| place(end)[1]));
+        let ends =
+            self.lines.iter().map(|line| line.points.last().map_or(bottom, |&end| place(end)[1]));
         let ends: Vec<_> = ends.collect();
         for (line, y) in self.lines.iter().zip(spread(&ends)) {
             let (name, x) = (line.name, left + width + 8.0);
@@ -236,7 +224,8 @@ mod tests {
 
     #[test]
     fn the_decades_on_an_axis_are_labelled() {
-        let labels = |axis: Axis| axis.decades().map(|(_, label)| label).collect::<Vec<_>>().join(" ");
+        let labels =
+            |axis: Axis| axis.decades().map(|(_, label)| label).collect::<Vec<_>>().join(" ");
         let axis = Axis::over([98.0, 25_000_000.0].into_iter());
         assert_eq!(labels(axis), "100 1k 10k 100k 1M 10M");
         assert_eq!(labels(axis.of_whole_decades()), "10 100 1k 10k 100k 1M 10M 100M");

@@ -27,12 +27,8 @@ pub(super) enum Item {
 }
 
 impl Curve {
-    pub(super) const ALL: [Self; 4] = [
-        Self::SphereTriangles,
-        Self::SquareTriangles,
-        Self::CubeWidths,
-        Self::SphereWidths,
-    ];
+    pub(super) const ALL: [Self; 4] =
+        [Self::SphereTriangles, Self::SquareTriangles, Self::CubeWidths, Self::SphereWidths];
 
     pub(super) const fn item(self) -> Item {
         match self {
@@ -81,12 +77,8 @@ impl Point {
     /// All that the firmware has printed, but for the first line.
     pub(super) fn all(core: Core, lines: &[String]) -> Result<Vec<Self>> {
         let point = |line: &String| {
-            let Line {
-                curve,
-                at,
-                precision,
-                cost,
-            } = serde_json::from_str(line).with_context(|| format!("the firmware has printed `{line}`, no figures"))?;
+            let Line { curve, at, precision, cost } = serde_json::from_str(line)
+                .with_context(|| format!("the firmware has printed `{line}`, no figures"))?;
             cost.check()?;
             Ok(Self {
                 curve,
@@ -114,8 +106,8 @@ impl Point {
         self.instructions as f64 / self.items().max(1) as f64
     }
 
-    /// The exponent of the growth from an earlier point to this: 0 if more items cost nothing, 1 if the cost grows in
-    /// proportion. None if there are not at least a tenth more of them.
+    /// The exponent of the growth from an earlier point to this: 0 if more items cost nothing, 1 if
+    /// the cost grows in proportion. None if there are not at least a tenth more of them.
     pub(super) fn exponent(&self, earlier: &Self) -> Option<f64> {
         let growth = |now: u64, before: u64| now as f64 / before.max(1) as f64;
         let items = growth(self.items(), earlier.items());
@@ -165,13 +157,12 @@ pub(super) mod tests {
         let line = r#"{"curve":"cube-widths","at":8,"precision":"S8","frames":4,"clear":99,"vertices":40,"draw":400,"pixels_drawn":104,"triangles_drawn":20,"pixels_changed":400}"#;
         let points = Point::all(Core::M4, &["opt-level 3".into(), line.into()]).unwrap();
         let point = &points[0];
-        assert_eq!(
-            (point.curve, point.at, point.precision.as_str()),
-            (Curve::CubeWidths, 8, "S8")
-        );
+        assert_eq!((point.curve, point.at, point.precision.as_str()), (Curve::CubeWidths, 8, "S8"));
         assert_eq!((point.instructions, point.vertices, point.items()), (4_400, 400, 26));
         let broken = ["opt-level 3".into(), line.replace("cube", "cone")];
-        assert!(format!("{:#}", Point::all(Core::M4, &broken).unwrap_err()).contains("cone-widths"));
+        assert!(
+            format!("{:#}", Point::all(Core::M4, &broken).unwrap_err()).contains("cone-widths")
+        );
     }
 
     #[test]

@@ -14,7 +14,8 @@ use curve::{Point, Points};
 pub(crate) use report::section;
 
 use crate::{
-    Done, conditions::Conditions, cores::Core, firmware, per_core::Measured, progress::Progress, qemu, results,
+    Done, conditions::Conditions, cores::Core, firmware, per_core::Measured, progress::Progress,
+    qemu, results,
 };
 
 const EXAMPLES: &str = "\
@@ -35,7 +36,8 @@ pub(crate) struct Arguments {
     /// Print the figures as one JSON object
     #[arg(long)]
     json: bool,
-    /// Write the figures to tests/measure/results/scaling.json and scaling.svg, and tests/measure/RESULTS.md
+    /// Write the figures to tests/measure/results/scaling.json and scaling.svg, and
+    /// tests/measure/RESULTS.md
     #[arg(long)]
     save: bool,
 }
@@ -43,10 +45,8 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     let scaling = measure(&Core::or_all(&arguments.cores))?;
     let steps = steps::of(&scaling);
-    let mut done = Done {
-        text: String::new(),
-        is_good: steps.iter().all(|step| step.cause().is_some()),
-    };
+    let mut done =
+        Done { text: String::new(), is_good: steps.iter().all(|step| step.cause().is_some()) };
     if arguments.json {
         writeln!(done.text, "{}", serde_json::to_string_pretty(&scaling)?)?;
     } else {
@@ -71,9 +71,7 @@ fn measure(cores: &[Core]) -> Result<Scaling> {
         scaling.cores.push(Measured {
             core,
             conditions: Conditions::of(core, &lines)?,
-            figures: Points {
-                points: Point::all(core, &lines)?,
-            },
+            figures: Points { points: Point::all(core, &lines)? },
         });
         progress.step();
     }

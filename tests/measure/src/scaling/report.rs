@@ -15,9 +15,8 @@ fn table(scaling: &Points, curve: Curve) -> Table {
         Item::Triangle => ("triangles", "/ triangle"),
         Item::Pixel => ("width", "/ pixel"),
     };
-    let headings = [
-        at, "drawn", "pixels", "vertices", "S4", per_item, "exponent", "S8", per_item, "exponent",
-    ];
+    let headings =
+        [at, "drawn", "pixels", "vertices", "S4", per_item, "exponent", "S8", per_item, "exponent"];
     let mut table = Table::new(0, &headings);
     let (coarse, fine) = (scaling.curve(curve, "S4"), scaling.curve(curve, "S8"));
     let count = |count: u64| thousands(count as usize);
@@ -70,7 +69,9 @@ pub(super) fn steps(steps: &[Step]) -> String {
         100.0 * TOLERANCE
     );
     let mut causes: Vec<_> = steps.iter().map(Step::cause).collect();
-    causes.sort_by_key(|cause| (cause.is_none(), steps.iter().position(|step| step.cause() == *cause)));
+    causes.sort_by_key(|cause| {
+        (cause.is_none(), steps.iter().position(|step| step.cause() == *cause))
+    });
     causes.dedup();
     for cause in causes {
         let _ = writeln!(text, "\n{}:", cause.unwrap_or("NOT EXPLAINED"));
@@ -95,13 +96,7 @@ pub(super) fn steps(steps: &[Step]) -> String {
 }
 
 fn what(step: &Step) -> String {
-    let Step {
-        core,
-        curve,
-        precision,
-        at,
-        kind,
-    } = step;
+    let Step { core, curve, precision, at, kind } = step;
     let item = match curve.item() {
         Item::Triangle => "triangle",
         Item::Pixel => "pixel",
@@ -149,9 +144,7 @@ pub(crate) fn section(scaling: &Scaling) -> String {
     let _ = write!(
         text,
         "\n### Steps\n\n{}",
-        steps(&super::steps::of(scaling))
-            .replace(":\n  ", ":\n\n  ")
-            .replace("\n  ", "\n- ")
+        steps(&super::steps::of(scaling)).replace(":\n  ", ":\n\n  ").replace("\n  ", "\n- ")
     );
     text
 }
@@ -181,6 +174,8 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("1 without an explanation"), "{text}");
-        assert!(told(&[(100, 1_000), (200, 1_900)]).ends_with("No step is without an explanation.\n"));
+        assert!(
+            told(&[(100, 1_000), (200, 1_900)]).ends_with("No step is without an explanation.\n")
+        );
     }
 }

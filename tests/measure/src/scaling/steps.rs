@@ -3,13 +3,14 @@
 use super::curve::{Curve, Scaling};
 use crate::cores::Core;
 
-/// What an item costs may rise by this share from a point to the next, and what a frame costs may fall by it: more
-/// triangles or pixels make a frame dearer, and each of them cheaper.
+/// What an item costs may rise by this share from a point to the next, and what a frame costs may
+/// fall by it: more triangles or pixels make a frame dearer, and each of them cheaper.
 pub(super) const TOLERANCE: f64 = 0.05;
 
-/// By how much the exponent of the growth may differ from one pair of neighbours to the next. Where a fixed cost is overtaken
-/// by one in proportion it rises from 0 to 1, for points an octave apart by at most log2(2 - 1/sqrt 2) - log2(sqrt 2) =
-/// 0.17 at a time; what grows by a lower power, such as the rows of triangles, bends less.
+/// By how much the exponent of the growth may differ from one pair of neighbours to the next. Where
+/// a fixed cost is overtaken by one in proportion it rises from 0 to 1, for points an octave apart
+/// by at most log2(2 - 1/sqrt 2) - log2(sqrt 2) = 0.17 at a time; what grows by a lower power, such
+/// as the rows of triangles, bends less.
 pub(super) const BEND: f64 = 0.18;
 
 /// Curve, first and last point, cause.
@@ -75,8 +76,9 @@ pub(super) fn outdated(steps: &[Step]) -> Vec<&'static str> {
 impl Step {
     /// Why it is there, if that is known.
     pub(super) fn cause(&self) -> Option<&'static str> {
-        let is_this =
-            |(curve, [first, last], _): &&Explained| *curve == self.curve && (*first..=*last).contains(&self.at);
+        let is_this = |(curve, [first, last], _): &&Explained| {
+            *curve == self.curve && (*first..=*last).contains(&self.at)
+        };
         EXPLAINED.iter().find(is_this).map(|(.., cause)| *cause)
     }
 }
@@ -128,10 +130,8 @@ mod tests {
 
     #[test]
     fn fixed_cost_and_cost_in_proportion_make_no_step() {
-        let points: Vec<_> = (0..11)
-            .map(|octave| 100 << octave)
-            .map(|n| (n, 400_000 + 500 * n))
-            .collect();
+        let points: Vec<_> =
+            (0..11).map(|octave| 100 << octave).map(|n| (n, 400_000 + 500 * n)).collect();
         assert_eq!(kinds(&points), []);
     }
 

@@ -1,8 +1,10 @@
 //! What a scene may take, and what it should: the file `budgets.json`.
 //!
-//! A *budget* is what a scene took when it was last saved, rounded up a little but not beyond a goal that it meets, for
-//! each core and `opt-level`: taking more is a fault, if it is the same compiler's code. A *goal* is what the project wants
-//! to get down to, at the better of the levels: it is shown, and that it is not met is no fault. Unwanted code is a fault unless its symbol is *tolerated*.
+//! A *budget* is what a scene took when it was last saved, rounded up a little but not beyond a
+//! goal that it meets, for each core and `opt-level`: taking more is a fault, if it is the same
+//! compiler's code. A *goal* is what the project wants to get down to, at the better of the levels:
+//! it is shown, and that it is not met is no fault. Unwanted code is a fault unless its symbol is
+//! *tolerated*.
 
 use std::{collections::BTreeMap, fs, path::PathBuf};
 
@@ -65,11 +67,7 @@ impl Bytes {
         const fn round(bytes: u32) -> u32 {
             (bytes + bytes / 100).next_multiple_of(32)
         }
-        Self {
-            flash: round(self.flash),
-            stack: round(self.stack),
-            ram: round(self.ram),
-        }
+        Self { flash: round(self.flash), stack: round(self.stack), ram: round(self.ram) }
     }
 
     /// The kinds of memory of which this is more than `budget`.
@@ -116,7 +114,8 @@ impl Budgets {
     /// If it cannot be read or understood; the message says at which line.
     pub(crate) fn load() -> Result<Self> {
         let path = path();
-        let text = fs::read_to_string(&path).with_context(|| format!("{} cannot be read", path.display()))?;
+        let text = fs::read_to_string(&path)
+            .with_context(|| format!("{} cannot be read", path.display()))?;
         serde_json::from_str(&text).with_context(|| format!("{} is not understood", path.display()))
     }
 
@@ -142,7 +141,9 @@ impl Budgets {
 
     /// The goal for one kind of memory of a scene: the strictest that is given.
     pub(crate) fn goal(&self, core: Core, scene: &str, kind: Kind) -> Option<u32> {
-        let is_for = |goal: &&Goal| goal.core == core && goal.scene.as_deref().is_none_or(|name| name == scene);
+        let is_for = |goal: &&Goal| {
+            goal.core == core && goal.scene.as_deref().is_none_or(|name| name == scene)
+        };
         let bytes = |goal: &Goal| match kind {
             Kind::Flash => goal.flash,
             Kind::Stack => goal.stack,
@@ -186,11 +187,7 @@ fn path() -> PathBuf {
 mod tests {
     use super::*;
 
-    const TAKEN: Bytes = Bytes {
-        flash: 9_964,
-        stack: 1_000,
-        ram: 1_196,
-    };
+    const TAKEN: Bytes = Bytes { flash: 9_964, stack: 1_000, ram: 1_196 };
 
     #[test]
     fn a_goal_that_is_met_is_not_given_up() {
@@ -207,31 +204,20 @@ mod tests {
         assert_eq!(TAKEN.over(&TAKEN), []);
         let tight = Bytes { flash: 9_963, ..TAKEN };
         assert_eq!(TAKEN.over(&tight), [Kind::Flash]);
-        let tighter = Bytes {
-            stack: 999,
-            ram: 0,
-            ..TAKEN
-        };
+        let tighter = Bytes { stack: 999, ram: 0, ..TAKEN };
         assert_eq!(TAKEN.over(&tighter), [Kind::Stack, Kind::Ram]);
     }
 
     #[test]
     fn what_was_saved_is_within_its_budget_and_little_below_it() {
         for bytes in [0, 1, 31, 32, 340, 9_964, 130_000] {
-            let taken = Bytes {
-                flash: bytes,
-                stack: bytes,
-                ram: bytes,
-            };
+            let taken = Bytes { flash: bytes, stack: bytes, ram: bytes };
             let mut budgets = Budgets::default();
             budgets.set(Core::M4, Level::S, "cube", taken);
             let budget = *budgets.of(Core::M4, Level::S, "cube").unwrap();
             assert_eq!(taken.over(&budget), []);
             assert!(budget.flash < bytes + bytes / 100 + 32, "{budget:?}");
-            let more = Bytes {
-                stack: bytes + bytes / 100 + 32,
-                ..taken
-            };
+            let more = Bytes { stack: bytes + bytes / 100 + 32, ..taken };
             assert_eq!(more.over(&budget), [Kind::Stack]);
             assert_eq!(budgets.of(Core::M4, Level::Three, "cube"), None);
             assert_eq!(budgets.of(Core::M0plus, Level::S, "cube"), None);

@@ -4,7 +4,8 @@ use std::{collections::BTreeMap, ops::Range};
 
 use anyhow::{Context as _, Result, ensure};
 use object::{
-    File, Object as _, ObjectSection as _, ObjectSymbol as _, Section, SectionFlags, SectionIndex, SectionKind,
+    File, Object as _, ObjectSection as _, ObjectSymbol as _, Section, SectionFlags, SectionIndex,
+    SectionKind,
     elf::{SHF_ALLOC, SHF_WRITE},
 };
 use rustc_demangle::demangle;
@@ -50,8 +51,8 @@ impl Symbol {
 impl Image {
     /// Reads an ELF file.
     ///
-    /// The size of a model is the sum of the sizes of the symbols of its tables: exactly what of it was linked. Bytes that
-    /// two symbols name count once.
+    /// The size of a model is the sum of the sizes of the symbols of its tables: exactly what of it
+    /// was linked. Bytes that two symbols name count once.
     ///
     /// # Errors
     ///
@@ -107,9 +108,7 @@ impl Image {
     /// If there is none.
     pub(crate) fn address_of(&self, name: &str) -> Result<u32> {
         let symbol = self.symbols.iter().find(|symbol| symbol.name == name);
-        Ok(symbol
-            .with_context(|| format!("the program has no symbol {name}"))?
-            .address)
+        Ok(symbol.with_context(|| format!("the program has no symbol {name}"))?.address)
     }
 }
 
@@ -126,10 +125,8 @@ fn symbols(file: &File<'_>) -> Vec<Symbol> {
         .symbols()
         .filter_map(|symbol| {
             // Those that begin with a dollar sign mark code and data for disassemblers.
-            let name = symbol
-                .name()
-                .ok()
-                .filter(|name| !name.is_empty() && !name.starts_with('$'))?;
+            let name =
+                symbol.name().ok().filter(|name| !name.is_empty() && !name.starts_with('$'))?;
             Some(Symbol {
                 name: format!("{:#}", demangle(name)),
                 address: symbol.address() as u32,
@@ -172,12 +169,14 @@ mod tests {
 
     fn object() -> Object<'static> {
         let mut object = Object::new(BinaryFormat::Elf, Architecture::Arm, Endianness::Little);
-        let vectors = object.add_section(vec![], b".vector_table".to_vec(), SectionKind::ReadOnlyData);
+        let vectors =
+            object.add_section(vec![], b".vector_table".to_vec(), SectionKind::ReadOnlyData);
         object.append_section_data(vectors, &[0x00, 0x20, 0x04, 0x20, 0xC1, 0, 0, 0], 4);
         object
     }
 
-    /// A program of 8 bytes of vectors, 20 of code, 30 of constants, 4 of initialised statics and 64 of others.
+    /// A program of 8 bytes of vectors, 20 of code, 30 of constants, 4 of initialised statics and
+    /// 64 of others.
     fn program() -> Vec<u8> {
         let mut object = object();
         let text = object.section_id(StandardSection::Text);
@@ -194,20 +193,8 @@ mod tests {
         add(&mut object, text, "$t", 0, 0);
         let table = "_ZN8firmware6models4CUBE9POSITIONS17h0123456789abcdefE";
         add(&mut object, constants, table, 4, 18);
-        add(
-            &mut object,
-            constants,
-            "_ZN8firmware6models4CUBE5ALIAS17h0123456789abcdefE",
-            4,
-            18,
-        );
-        add(
-            &mut object,
-            constants,
-            "_ZN8firmware6models4CUBE17h0123456789abcdefE",
-            22,
-            6,
-        );
+        add(&mut object, constants, "_ZN8firmware6models4CUBE5ALIAS17h0123456789abcdefE", 4, 18);
+        add(&mut object, constants, "_ZN8firmware6models4CUBE17h0123456789abcdefE", 22, 6);
         add(&mut object, bss, "BUFFER", 0, 64);
         object.write().unwrap()
     }

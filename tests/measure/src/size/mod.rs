@@ -161,10 +161,7 @@ fn cores(named: &[Core]) -> Result<Vec<Core>> {
     if let Some(other) = named.iter().find(|core| !measured.contains(core)) {
         bail!("sizes are measured on m0plus and m4, not on {}", other.name());
     }
-    Ok(measured
-        .into_iter()
-        .filter(|core| named.is_empty() || named.contains(core))
-        .collect())
+    Ok(measured.into_iter().filter(|core| named.is_empty() || named.contains(core)).collect())
 }
 
 fn program(scene: &str) -> String {
@@ -172,8 +169,10 @@ fn program(scene: &str) -> String {
 }
 
 fn measure(core: Core, level: Level, scene: &'static str, program: &Path) -> Result<Measured> {
-    let file = fs::read(program).with_context(|| format!("{} cannot be read", program.display()))?;
-    let image = Image::parse(&file).with_context(|| format!("{} cannot be measured", program.display()))?;
+    let file =
+        fs::read(program).with_context(|| format!("{} cannot be read", program.display()))?;
+    let image =
+        Image::parse(&file).with_context(|| format!("{} cannot be measured", program.display()))?;
     let run = stack::run(core, program, &image)?;
     Ok(Measured {
         core,
@@ -197,9 +196,7 @@ fn check_pictures(all: &[Measured]) -> Result<()> {
         let place = || format!("{} at opt-level {}", measured.core.title(), measured.level.name());
         let is_blank = scene == EMPTY || scene == DEEP;
         ensure!(is_blank || checksum != 0, "{scene} draws nothing on {}", place());
-        let other = all
-            .iter()
-            .find(|other| other.scene == scene && other.checksum != checksum);
+        let other = all.iter().find(|other| other.scene == scene && other.checksum != checksum);
         if let Some(other) = other {
             bail!(
                 "{scene} draws other pictures on {} than on {} at opt-level {}",
@@ -212,7 +209,8 @@ fn check_pictures(all: &[Measured]) -> Result<()> {
     Ok(())
 }
 
-/// Whether an array of known size on the stack is measured as what it is, but for the words of a call.
+/// Whether an array of known size on the stack is measured as what it is, but for the words of a
+/// call.
 fn check_stack(all: &[Measured]) -> Result<()> {
     for deep in all.iter().filter(|measured| measured.scene == DEEP) {
         let is_base = |measured: &&Measured| {
@@ -238,11 +236,7 @@ mod tests {
             core: Core::M0plus,
             level,
             scene,
-            bytes: Bytes {
-                flash,
-                stack,
-                ram: stack + 100,
-            },
+            bytes: Bytes { flash, stack, ram: stack + 100 },
             models: 24,
             checksum: 7,
             symbols: vec![],
@@ -252,14 +246,17 @@ mod tests {
     #[test]
     fn every_scene_has_its_program() {
         for scene in SCENES {
-            let source = firmware::root().join(format!("tests/firmware/src/bin/{}.rs", program(scene)));
+            let source =
+                firmware::root().join(format!("tests/firmware/src/bin/{}.rs", program(scene)));
             assert!(source.is_file(), "{} is missing", source.display());
         }
     }
 
     #[test]
     fn a_wrong_measurement_of_the_stack_is_noticed() {
-        let with = |stack| check_stack(&[measured(EMPTY, Level::S, 0, 100), measured(DEEP, Level::S, 0, stack)]);
+        let with = |stack| {
+            check_stack(&[measured(EMPTY, Level::S, 0, 100), measured(DEEP, Level::S, 0, stack)])
+        };
         assert!(with(100 + DEPTH).is_ok());
         assert!(with(100 + DEPTH + 40).is_ok());
         assert!(with(100).is_err());
@@ -270,10 +267,7 @@ mod tests {
 
     #[test]
     fn a_scene_that_draws_nothing_or_another_picture_is_noticed() {
-        let cube = |level, checksum| Measured {
-            checksum,
-            ..measured("cube", level, 0, 0)
-        };
+        let cube = |level, checksum| Measured { checksum, ..measured("cube", level, 0, 0) };
         assert!(check_pictures(&[cube(Level::S, 7), cube(Level::Three, 7)]).is_ok());
         assert!(check_pictures(&[cube(Level::S, 7), cube(Level::Three, 8)]).is_err());
         assert!(check_pictures(&[cube(Level::S, 0)]).is_err());

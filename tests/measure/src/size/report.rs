@@ -18,7 +18,12 @@ use crate::{cores::Core, table::Table};
 const LISTED: usize = 10;
 
 /// Tables, one for each core, and what is wrong.
-pub(super) fn text(all: &[Measured], budgets: &Budgets, compiler: &str, with_symbols: bool) -> String {
+pub(super) fn text(
+    all: &[Measured],
+    budgets: &Budgets,
+    compiler: &str,
+    with_symbols: bool,
+) -> String {
     let mut text = String::new();
     for core in Core::ALL {
         let of_core: Vec<_> = all.iter().filter(|measured| measured.core == core).collect();
@@ -127,8 +132,8 @@ fn missed_goals(all: &[Measured], budgets: &Budgets) -> Vec<String> {
     missed
 }
 
-/// What is wrong: scenes over their budget, if it is for this compiler's code, or without one, and code that no scene may
-/// bring.
+/// What is wrong: scenes over their budget, if it is for this compiler's code, or without one, and
+/// code that no scene may bring.
 pub(super) fn faults(all: &[Measured], budgets: &Budgets, compiler: &str) -> Vec<String> {
     let mut faults = Vec::new();
     let is_comparable = compiler == budgets.compiler();
@@ -153,7 +158,8 @@ pub(super) fn faults(all: &[Measured], budgets: &Budgets, compiler: &str) -> Vec
     faults
 }
 
-/// The symbols of code that no scene may bring, as far as they are asked for, each with the scenes that bring it.
+/// The symbols of code that no scene may bring, as far as they are asked for, each with the scenes
+/// that bring it.
 fn unwanted(all: &[Measured], is_asked_for: impl Fn(&str) -> bool) -> Vec<String> {
     let mut scenes = BTreeMap::<_, Vec<&str>>::new();
     for measured in all {
@@ -165,14 +171,15 @@ fn unwanted(all: &[Measured], is_asked_for: impl Fn(&str) -> bool) -> Vec<String
             }
         }
     }
-    let line = |((core, level, unwanted, name), scenes): ((Core, Level, Unwanted, &str), Vec<&str>)| {
-        format!(
-            "{unwanted} on {} at opt-level {}: {name} in {}",
-            core.title(),
-            level.name(),
-            scenes.join(", ")
-        )
-    };
+    let line =
+        |((core, level, unwanted, name), scenes): ((Core, Level, Unwanted, &str), Vec<&str>)| {
+            format!(
+                "{unwanted} on {} at opt-level {}: {name} in {}",
+                core.title(),
+                level.name(),
+                scenes.join(", ")
+            )
+        };
     scenes.into_iter().map(line).collect()
 }
 
@@ -192,14 +199,13 @@ fn symbols(measured: &Measured) -> String {
 
 /// The largest functions and constants, without the tables of models.
 fn largest(measured: &Measured) -> impl Iterator<Item = &Symbol> {
-    let in_flash = measured
-        .symbols
-        .iter()
-        .filter(|symbol| symbol.is_in_flash && !symbol.is_of_a_model());
+    let in_flash =
+        measured.symbols.iter().filter(|symbol| symbol.is_in_flash && !symbol.is_of_a_model());
     in_flash.take(LISTED)
 }
 
-/// A name without the modules that lead to its parts, which in the name of a generic function are many.
+/// A name without the modules that lead to its parts, which in the name of a generic function are
+/// many.
 fn without_modules(name: &str) -> String {
     let mut short = String::new();
     for (number, part) in name.split("::").enumerate() {
@@ -215,7 +221,12 @@ fn without_modules(name: &str) -> String {
 }
 
 /// The same for programs to read.
-pub(super) fn json(all: &[Measured], budgets: &Budgets, compiler: &str, with_symbols: bool) -> Result<String> {
+pub(super) fn json(
+    all: &[Measured],
+    budgets: &Budgets,
+    compiler: &str,
+    with_symbols: bool,
+) -> Result<String> {
     let scenes: Vec<Value> = all
         .iter()
         .map(|measured| {
@@ -231,7 +242,8 @@ pub(super) fn json(all: &[Measured], budgets: &Budgets, compiler: &str, with_sym
                 "budget": budgets.of(measured.core, measured.level, measured.scene),
             });
             if with_symbols {
-                let symbols = largest(measured).map(|symbol| json!({ "name": symbol.name, "size": symbol.size }));
+                let symbols = largest(measured)
+                    .map(|symbol| json!({ "name": symbol.name, "size": symbol.size }));
                 scene["symbols"] = symbols.collect();
             }
             scene
@@ -255,11 +267,7 @@ mod tests {
         let goals = r#"{ "goals": [{ "core": "m0plus", "scene": "cube", "flash": 5000 }, { "core": "m0plus", "stack": 500 }],
             "tolerated": ["core::option::unwrap_failed"], "compiler": "rustc 1", "budgets": {} }"#;
         let mut budgets: Budgets = serde_json::from_str(goals).unwrap();
-        let taken = Bytes {
-            flash: 6_400,
-            stack: 400,
-            ram: 500,
-        };
+        let taken = Bytes { flash: 6_400, stack: 400, ram: 500 };
         budgets.set(Core::M0plus, Level::S, "cube", taken);
         budgets.set(Core::M0plus, Level::Three, "cube", taken);
         budgets
@@ -275,7 +283,9 @@ mod tests {
         let over = measured("cube", Level::S, 6_500, 400);
         assert_eq!(
             faults(std::slice::from_ref(&over), &budgets(), "rustc 1"),
-            ["cube on Cortex-M0+ at opt-level s: 6,500 bytes of flash are over the budget of 6,464"]
+            [
+                "cube on Cortex-M0+ at opt-level s: 6,500 bytes of flash are over the budget of 6,464"
+            ]
         );
         assert_eq!(faults(&[over], &budgets(), "rustc 2"), Vec::<String>::new());
         let unknown = faults(&[measured("ball", Level::S, 0, 0)], &budgets(), "rustc 1");
@@ -286,7 +296,9 @@ mod tests {
                 .into(),
             ..within
         };
-        assert!(text(std::slice::from_ref(&heavy), &budgets(), "", false).contains("tolerated: panics"));
+        assert!(
+            text(std::slice::from_ref(&heavy), &budgets(), "", false).contains("tolerated: panics")
+        );
         assert_eq!(
             faults(&[heavy], &budgets(), "rustc 1"),
             ["floating point on Cortex-M0+ at opt-level s: __aeabi_fadd in cube"]
@@ -296,10 +308,8 @@ mod tests {
     #[test]
     fn a_goal_is_met_at_the_better_level() {
         let at = |s, three| {
-            let all = [
-                measured("cube", Level::S, s, 400),
-                measured("cube", Level::Three, three, 600),
-            ];
+            let all =
+                [measured("cube", Level::S, s, 400), measured("cube", Level::Three, three, 600)];
             missed_goals(&all, &budgets())
         };
         assert_eq!(at(6_000, 5_000), Vec::<String>::new());
@@ -311,17 +321,16 @@ mod tests {
 
     #[test]
     fn the_table_marks_goals_and_excess() {
-        let all = [
-            measured("cube", Level::S, 6_500, 400),
-            measured("cube", Level::Three, 4_999, 501),
-        ];
+        let all =
+            [measured("cube", Level::S, 6_500, 400), measured("cube", Level::Three, 4_999, 501)];
         let text = text(&all, &budgets(), "rustc 2", false);
         assert!(!text.contains("fault: "), "{text}");
         let row: Vec<_> = text.lines().nth(2).unwrap().split_whitespace().collect();
         assert_eq!(
             row,
             [
-                "cube", "s", "6,500!", "6,464", "5,000", "no", "400", "416", "500", "yes", "500", "512", "24"
+                "cube", "s", "6,500!", "6,464", "5,000", "no", "400", "416", "500", "yes", "500",
+                "512", "24"
             ]
         );
         let row: Vec<_> = text.lines().nth(3).unwrap().split_whitespace().collect();
@@ -333,17 +342,11 @@ mod tests {
     #[test]
     fn only_code_is_listed_the_largest_first_without_modules() {
         let table = symbol("firmware::models::CUBE::POSITIONS", 900);
-        let buffer = Symbol {
-            is_in_flash: false,
-            ..symbol("BUFFER", 800)
-        };
+        let buffer = Symbol { is_in_flash: false, ..symbol("BUFFER", 800) };
         let code = symbol("<rasterizer::numbers::float::Float>::times::<[u16; 1]>", 70);
         let mut symbols = vec![table, buffer, code];
         symbols.extend((0..20).map(|n| symbol("main", 60 - n)));
-        let listing = super::symbols(&Measured {
-            symbols,
-            ..measured("cube", Level::S, 0, 0)
-        });
+        let listing = super::symbols(&Measured { symbols, ..measured("cube", Level::S, 0, 0) });
         let lines: Vec<_> = listing.lines().skip(2).map(str::trim).collect();
         assert_eq!(lines.len(), LISTED);
         assert_eq!(lines[0], "70  <Float>::times::<[u16; 1]>");
@@ -357,7 +360,8 @@ mod tests {
     #[test]
     fn json_says_the_same() {
         let all = [measured("cube", Level::S, 6_500, 400)];
-        let report: Value = serde_json::from_str(&json(&all, &budgets(), "rustc 1", false).unwrap()).unwrap();
+        let report: Value =
+            serde_json::from_str(&json(&all, &budgets(), "rustc 1", false).unwrap()).unwrap();
         assert_eq!(report["scenes"][0]["flash"], 6_500);
         assert_eq!(report["scenes"][0]["budget"]["flash"], 6_464);
         assert_eq!(report["scenes"][0]["opt_level"], "s");
@@ -366,11 +370,6 @@ mod tests {
     }
 
     fn symbol(name: &str, size: u32) -> Symbol {
-        Symbol {
-            name: name.into(),
-            address: 0,
-            size,
-            is_in_flash: true,
-        }
+        Symbol { name: name.into(), address: 0, size, is_in_flash: true }
     }
 }

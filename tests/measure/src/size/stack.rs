@@ -1,9 +1,10 @@
 //! How much stack a program needs, by a run in QEMU.
 //!
-//! The RAM from the end of the statics to the top of the stack is painted before the core starts: QEMU's loader writes a
-//! pattern there, and the runtime clears only the statics. When the program asks for a reset, QEMU stops instead, and the
-//! lowest word that has lost its paint is as far as the stack has come. Words that a function reserves and never writes
-//! keep theirs; below it they do not, as soon as it calls another. What interrupts add (32 bytes on a Cortex-M0+, 104 with
+//! The RAM from the end of the statics to the top of the stack is painted before the core starts:
+//! QEMU's loader writes a pattern there, and the runtime clears only the statics. When the program
+//! asks for a reset, QEMU stops instead, and the lowest word that has lost its paint is as far as
+//! the stack has come. Words that a function reserves and never writes keep theirs; below it they
+//! do not, as soon as it calls another. What interrupts add (32 bytes on a Cortex-M0+, 104 with
 //! an FPU in use, and their handlers) is not in it: nothing interrupts these programs.
 
 use std::{
@@ -50,7 +51,8 @@ pub(crate) fn run(core: Core, program: &Path, image: &Image) -> Result<Run> {
     let free = image.stack_top.checked_sub(bottom);
     let free = free.context("the statics leave no room for a stack")? as usize;
     let (paint, memory) = (beside(program, "paint"), beside(program, "memory"));
-    fs::write(&paint, painted(free)).with_context(|| format!("{} cannot be written", paint.display()))?;
+    fs::write(&paint, painted(free))
+        .with_context(|| format!("{} cannot be written", paint.display()))?;
 
     let mut machine = Machine::start(core, program, &paint, bottom)?;
     machine.execute("cont", &json!({}))?;
@@ -72,16 +74,9 @@ pub(crate) fn run(core: Core, program: &Path, image: &Image) -> Result<Run> {
     for file in [paint, memory] {
         fs::remove_file(&file).with_context(|| format!("{} cannot be removed", file.display()))?;
     }
-    ensure!(
-        ram.len() == size as usize,
-        "QEMU has written {} bytes of RAM, not {size}",
-        ram.len()
-    );
+    ensure!(ram.len() == size as usize, "QEMU has written {} bytes of RAM, not {size}", ram.len());
     let stack = used(&ram[(bottom - start) as usize..]);
-    ensure!(
-        stack < free,
-        "the stack has reached the statics: {free} bytes are too few"
-    );
+    ensure!(stack < free, "the stack has reached the statics: {free} bytes are too few");
     let checksum = image.address_of(CHECKSUM)? - start;
     let checksum = ram.get(checksum as usize..).and_then(|rest| rest.first_chunk());
     Ok(Run {
@@ -105,7 +100,8 @@ fn beside(program: &Path, extension: &str) -> PathBuf {
     program.with_extension(extension)
 }
 
-/// A running QEMU and its QMP connection: lines of JSON on its standard input and output (QEMU, *QMP Reference*).
+/// A running QEMU and its QMP connection: lines of JSON on its standard input and output (QEMU,
+/// *QMP Reference*).
 struct Machine {
     process: Child,
     lines: Receiver<Value>,
@@ -149,7 +145,8 @@ impl Machine {
         // In one piece: at the last brace of `quit` QEMU ends.
         let line = json!({ "execute": command, "arguments": arguments }).to_string() + "\n";
         input.write_all(line.as_bytes())?;
-        let answer = self.next(|value| value.get("return").is_some() || value.get("error").is_some());
+        let answer =
+            self.next(|value| value.get("return").is_some() || value.get("error").is_some());
         let answer = answer.with_context(|| format!("QEMU does not answer to {command}"))?;
         match answer.get("error") {
             Some(error) => bail!("QEMU refuses {command}: {error}"),
@@ -168,7 +165,9 @@ impl Machine {
             match self.lines.recv_timeout(end.saturating_duration_since(Instant::now())) {
                 Ok(value) if is_it(&value) => return Ok(value),
                 Ok(_) => {}
-                Err(RecvTimeoutError::Timeout) => bail!("nothing happens for {} seconds", PATIENCE.as_secs()),
+                Err(RecvTimeoutError::Timeout) => {
+                    bail!("nothing happens for {} seconds", PATIENCE.as_secs())
+                }
                 Err(RecvTimeoutError::Disconnected) => bail!("QEMU has ended"),
             }
         }

@@ -1,8 +1,9 @@
 //! Code that no scene may bring: by the names of its symbols.
 //!
-//! The release profile keeps all symbols, and routines of the compiler and of `core` that are called are never without
-//! one, so that what is not found is not there. What was inlined into its callers alone leaves no name; the routines in
-//! question are too large for that, or marked as never to be inlined.
+//! The release profile keeps all symbols, and routines of the compiler and of `core` that are
+//! called are never without one, so that what is not found is not there. What was inlined into its
+//! callers alone leaves no name; the routines in question are too large for that, or marked as
+//! never to be inlined.
 
 use std::fmt;
 
@@ -33,8 +34,8 @@ impl fmt::Display for Unwanted {
 impl Unwanted {
     /// What the symbol of this name is, if it is unwanted.
     ///
-    /// The names of routines are those of the run-time ABI for the Arm architecture (IHI 0043, tables 2 to 8) and of
-    /// libgcc, the others those of paths in the sources.
+    /// The names of routines are those of the run-time ABI for the Arm architecture (IHI 0043,
+    /// tables 2 to 8) and of libgcc, the others those of paths in the sources.
     pub(crate) fn of(name: &str) -> Option<Self> {
         // The type arguments of a function say nothing about what it does.
         let path = name.split("::<").next().unwrap_or(name);
@@ -63,12 +64,14 @@ fn is_float_routine(name: &str) -> bool {
     }
     // libgcc: operation, mode (sf, df; hf and tf too), and how many modes it names.
     let stems = [
-        "add", "sub", "mul", "div", "neg", "cmp", "unord", "eq", "ne", "lt", "le", "gt", "ge", "pow", "fix", "fixuns",
-        "float", "floatun", "floatuns", "extend", "trunc",
+        "add", "sub", "mul", "div", "neg", "cmp", "unord", "eq", "ne", "lt", "le", "gt", "ge",
+        "pow", "fix", "fixuns", "float", "floatun", "floatuns", "extend", "trunc",
     ];
     stems.iter().any(|stem| {
         let rest = routine.strip_prefix(stem);
-        rest.is_some_and(|rest| ["sf", "df", "hf", "tf", "xf"].iter().any(|mode| rest.contains(mode)))
+        rest.is_some_and(|rest| {
+            ["sf", "df", "hf", "tf", "xf"].iter().any(|mode| rest.contains(mode))
+        })
     })
 }
 
@@ -87,7 +90,8 @@ fn is_long_division(path: &str) -> bool {
 }
 
 fn is_panic(path: &str) -> bool {
-    let says_so = |part: &str| part.contains("panic") || part.ends_with("_fail") || part.ends_with("_failed");
+    let says_so =
+        |part: &str| part.contains("panic") || part.ends_with("_fail") || part.ends_with("_failed");
     path == "rust_begin_unwind" || path.split("::").any(says_so)
 }
 

@@ -5,7 +5,8 @@ use serde::Serialize;
 use super::figures::{Scene, Speed};
 use crate::cores::Core;
 
-/// A change of up to this share is none. The counts are exact, but another compiler lays out code otherwise.
+/// A change of up to this share is none. The counts are exact, but another compiler lays out code
+/// otherwise.
 pub(super) const THRESHOLD: f64 = 0.01;
 
 /// A scene whose frames take more or fewer instructions than before.
@@ -52,12 +53,7 @@ pub(super) fn changes(before: &Speed, now: &Speed) -> Vec<Change> {
 
 /// The same scene as it was saved.
 pub(super) fn saved<'a>(before: &'a Speed, core: Core, scene: &Scene) -> Option<&'a Scene> {
-    before
-        .of(core)?
-        .figures
-        .scenes
-        .iter()
-        .find(|saved| saved.key() == scene.key())
+    before.of(core)?.figures.scenes.iter().find(|saved| saved.key() == scene.key())
 }
 
 #[cfg(test)]
@@ -70,9 +66,7 @@ mod tests {
         let before = speed(Core::M4, "cube", 100_000);
         let share = |frame: u64| {
             let changes = changes(&before, &speed(Core::M4, "cube", frame));
-            changes
-                .first()
-                .map(|change| (change.is_slower(), (change.share() * 1e4).round()))
+            changes.first().map(|change| (change.is_slower(), (change.share() * 1e4).round()))
         };
         assert_eq!(share(101_000), None);
         assert_eq!(share(99_000), None);
@@ -90,8 +84,8 @@ mod tests {
 
     #[test]
     fn the_worst_comes_first() {
-        let [before, now] =
-            [[5_000, 5_000], [4_000, 6_000]].map(|[a, b]| speed(Core::M4, "cube", a).with(speed(Core::M7, "cube", b)));
+        let [before, now] = [[5_000, 5_000], [4_000, 6_000]]
+            .map(|[a, b]| speed(Core::M4, "cube", a).with(speed(Core::M7, "cube", b)));
         let cores: Vec<_> = changes(&before, &now).iter().map(|change| change.core).collect();
         assert_eq!(cores, [Core::M7, Core::M4]);
     }

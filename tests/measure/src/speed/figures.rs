@@ -19,8 +19,8 @@ impl Line {
     /// All that a program has printed, but for the first line.
     pub(super) fn all(lines: &[String]) -> Result<Vec<Self>> {
         let parse = |line: &String| {
-            let line: Self =
-                serde_json::from_str(line).with_context(|| format!("the firmware has printed `{line}`, no figures"))?;
+            let line: Self = serde_json::from_str(line)
+                .with_context(|| format!("the firmware has printed `{line}`, no figures"))?;
             line.cost.check()?;
             Ok(line)
         };
@@ -67,7 +67,8 @@ impl Scene {
             clear: cost.clear(core),
             vertices: cost.vertices(core),
             set_up: set_up.cost.triangles_and_pixels(core),
-            pixels: (cost.triangles_and_pixels(core)).saturating_sub(set_up.cost.triangles_and_pixels(core)),
+            pixels: (cost.triangles_and_pixels(core))
+                .saturating_sub(set_up.cost.triangles_and_pixels(core)),
             pixels_drawn: cost.pixels_drawn(),
             triangles_drawn: cost.triangles_drawn(),
             pixels_changed: cost.pixels_changed(),
@@ -131,7 +132,8 @@ pub(super) mod tests {
 
     #[test]
     fn what_are_no_figures_is_quoted() {
-        let of = |line: &str| Line::all(&["opt-level 3".into(), line.into()]).unwrap_err().to_string();
+        let of =
+            |line: &str| Line::all(&["opt-level 3".into(), line.into()]).unwrap_err().to_string();
         assert!(of("panicked at src").contains("`panicked at src`"));
         assert!(of(&FRAMES.replace(r#""frames":8"#, r#""frames":0"#)).contains("nothing"));
     }

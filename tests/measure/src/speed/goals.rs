@@ -8,7 +8,8 @@ use crate::cores::Core;
 pub(super) struct Goal {
     /// At most this.
     pub(super) target: u64,
-    /// What small3dlib 0.905d takes (gcc 12 -O3, in QEMU as here): no sub-pixels, no vertex reuse, no light.
+    /// What small3dlib 0.905d takes (gcc 12 -O3, in QEMU as here): no sub-pixels, no vertex reuse,
+    /// no light.
     pub(super) rival: u64,
 }
 
@@ -30,7 +31,8 @@ const fn goal(target: u64, rival: u64) -> Goal {
     Goal { target, rival }
 }
 
-/// The goal for a scene on a core, if there is one: for the precision that suits the core, whole frames.
+/// The goal for a scene on a core, if there is one: for the precision that suits the core, whole
+/// frames.
 pub(super) fn of(core: Core, scene: &Scene) -> Option<Goal> {
     let is_meant = |(name, of, precision, _): &&(&str, Core, &str, Goal)| {
         scene.key() == [*name, *precision, "whole"] && *of == core
@@ -48,15 +50,6 @@ mod tests {
         let scene = speed(Core::M0plus, "cube-flat", 9_000).cores[0].figures.scenes[0].clone();
         assert_eq!(of(Core::M0plus, &scene), Some(goal(110_000, 160_000)));
         assert_eq!(of(Core::M4, &scene), None);
-        assert_eq!(
-            of(
-                Core::M0plus,
-                &Scene {
-                    mode: "bands".into(),
-                    ..scene
-                }
-            ),
-            None
-        );
+        assert_eq!(of(Core::M0plus, &Scene { mode: "bands".into(), ..scene }), None);
     }
 }

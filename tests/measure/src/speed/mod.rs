@@ -16,7 +16,8 @@ pub(crate) use report::section;
 use serde::Serialize;
 
 use crate::{
-    Done, conditions::Conditions, cores::Core, firmware, per_core::Measured, progress::Progress, qemu, results,
+    Done, conditions::Conditions, cores::Core, firmware, per_core::Measured, progress::Progress,
+    qemu, results,
 };
 
 const EXAMPLES: &str = "\
@@ -83,10 +84,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
         is_good: !(arguments.fail_if_slower && changes.iter().any(Change::is_slower)),
     };
     if arguments.json {
-        let object = Json {
-            speed: &speed,
-            changes: &changes,
-        };
+        let object = Json { speed: &speed, changes: &changes };
         writeln!(done.text, "{}", serde_json::to_string_pretty(&object)?)?;
     } else {
         done.text = report::tables(&speed);
@@ -119,13 +117,10 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
         let (frames, set_up) = (lines("bench")?, lines("bench_set_up")?);
         let conditions = Conditions::of(core, &frames)?;
         let mut scenes = scenes_of(core, &frames, &set_up)?;
-        scenes.extend(scenes_of(
-            core,
-            &lines("bench_frugal")?,
-            &lines("bench_frugal_set_up")?,
-        )?);
-        let is_wanted =
-            |scene: &Scene| wanted.is_empty() || wanted.iter().any(|name| scene.scene.contains(name.as_str()));
+        scenes.extend(scenes_of(core, &lines("bench_frugal")?, &lines("bench_frugal_set_up")?)?);
+        let is_wanted = |scene: &Scene| {
+            wanted.is_empty() || wanted.iter().any(|name| scene.scene.contains(name.as_str()))
+        };
         let mut names: Vec<_> = scenes.iter().map(|scene| scene.scene.clone()).collect();
         names.sort();
         names.dedup();
@@ -137,11 +132,7 @@ fn measure(cores: &[Core], wanted: &[String]) -> Result<Speed> {
                 names.join(", ")
             );
         }
-        speed.cores.push(Measured {
-            core,
-            conditions,
-            figures: Scenes { scenes },
-        });
+        speed.cores.push(Measured { core, conditions, figures: Scenes { scenes } });
     }
     Ok(speed)
 }

@@ -37,11 +37,7 @@ fn table(speed: &Measured<Scenes>) -> Table {
         let goal = goals::of(speed.core, scene);
         let goal = goal.map(|goal| {
             let is_met = scene.frame <= goal.target;
-            [
-                count(goal.rival),
-                count(goal.target),
-                if is_met { "yes" } else { "no" }.into(),
-            ]
+            [count(goal.rival), count(goal.target), if is_met { "yes" } else { "no" }.into()]
         });
         let [scene_name, precision, mode] = scene.key().map(str::to_owned);
         let figures = [
@@ -86,9 +82,8 @@ pub(super) fn changes(before: &Speed, now: &Speed, changes: &[Change]) -> String
             .iter()
             .flat_map(|speed| speed.figures.scenes.iter().map(|scene| (speed.core, scene)))
     };
-    let compared = scenes()
-        .filter(|(core, scene)| compare::saved(before, *core, scene).is_some())
-        .count();
+    let compared =
+        scenes().filter(|(core, scene)| compare::saved(before, *core, scene).is_some()).count();
     if compared == 0 {
         return "There are no saved figures of these to compare with.\n".into();
     }
@@ -112,7 +107,8 @@ pub(super) fn changes(before: &Speed, now: &Speed, changes: &[Change]) -> String
         text,
         "Changes of more than {percent} % since the figures were saved, of {compared} scenes:"
     );
-    let mut table = Table::new(5, &["", "core", "scene", "bits", "mode", "before", "now", "change"]);
+    let mut table =
+        Table::new(5, &["", "core", "scene", "bits", "mode", "before", "now", "change"]);
     for change in changes {
         table.row([
             if change.is_slower() { "slower" } else { "faster" }.to_owned(),
@@ -186,10 +182,7 @@ mod tests {
             "{text}"
         );
         let same = changes(&before, &before, &[]);
-        assert_eq!(
-            same,
-            "No scene of 1 changed by more than 1 % since the figures were saved.\n"
-        );
+        assert_eq!(same, "No scene of 1 changed by more than 1 % since the figures were saved.\n");
         assert!(changes(&Speed::default(), &now, &[]).contains("no saved figures"));
     }
 }
