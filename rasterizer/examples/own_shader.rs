@@ -10,12 +10,12 @@ use embedded_graphics::{
 use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
-    geometry::{Pose, S4, ScreenVertex},
+    geometry::{Pose, ScreenVertex},
     mesh::{Material, Mesh, Tables, Triangles},
-    numbers::{Angle, Rotation, Scale, Vec3},
+    numbers::{Angle, Rotation, S4, Scale, Vec3},
+    output::Frame,
     scene::Object,
     shade::{MeshVertex, Shader},
-    target::Frame,
 };
 
 /// Every other slice through the model is black, the others have the material's red as their grey.

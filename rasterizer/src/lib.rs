@@ -218,12 +218,13 @@
 #[cfg(test)]
 extern crate std;
 
+pub mod attribute;
 pub mod camera;
 pub mod geometry;
 pub mod mesh;
 pub mod numbers;
+pub mod output;
 pub mod prelude;
 pub mod raster;
 pub mod scene;
 pub mod shade;
-pub mod target;

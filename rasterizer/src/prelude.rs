@@ -1,13 +1,12 @@
 //! What most programs name.
 
 pub use crate::{
+    attribute::NoDepth,
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{
-        ClipAll, ClipNone, CullBack, CullFront, CullNone, NoDepth, Pose, S4, S8, ScreenVertex,
-    },
+    geometry::{ClipAll, ClipNone, CullBack, CullFront, CullNone, Pose, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, Scalar, Vec3},
+    numbers::{Angle, Rotation, S4, S8, Scalar, Vec3},
+    output::{Bands, Direct, Frame, Rgb565Be},
     scene::{Needs, Object},
     shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
-    target::{Bands, Direct, Frame, Rgb565Be},
 };

@@ -11,12 +11,12 @@ use embedded_graphics::{
 };
 use fixed::types::U16F16;
 use rasterizer::{
+    attribute::NoDepth,
     camera::{Camera, Distance, Perspective},
-    geometry::NoDepth,
     mesh::Material,
     numbers::{Angle, Rotation, Scalar, Vec3},
+    output::{Bands, DepthBuffer, Frame},
     shade::{Level, Light, MeshVertex, Shader},
-    target::{Bands, DepthBuffer, Frame},
 };
 
 use crate::{Surface, area};

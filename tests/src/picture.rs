@@ -3,11 +3,12 @@
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rasterizer::{
     camera::Camera,
-    geometry::{Projection, S8, ScreenVertex},
+    geometry::{Projection, ScreenVertex},
     mesh::Mesh,
+    numbers::S8,
+    output::{Frame, StoredColor, StoredDepth},
     scene::Object,
     shade::Shader,
-    target::{Frame, StoredColor, StoredDepth},
 };
 
 /// The pixels of a part of the display and their stored depth, row by row.

@@ -9,13 +9,14 @@ use embedded_graphics::{
 };
 use host_tools::reference::{ScreenTriangle, ScreenVertex as ReferenceVertex, draw_screen};
 use rasterizer::{
+    attribute::NoDepth,
     camera::{Camera, Distance, Orthographic},
-    geometry::{CullBack, CullFront, Culling, NoDepth, Pose, Projection, ScreenVertex, Subpixel},
+    geometry::{CullBack, CullFront, Culling, Pose, Projection, ScreenVertex},
     mesh::Mesh,
-    numbers::{Rotation, Vec3},
+    numbers::{Rotation, Subpixel, Vec3},
+    output::Direct,
     scene::Object,
     shade::Unlit,
-    target::Direct,
 };
 
 use crate::Counter;

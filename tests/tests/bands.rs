@@ -6,12 +6,13 @@ use std::{cell::Cell, convert::Infallible, thread};
 use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::U16F16;
 use rasterizer::{
-    geometry::{CullBack, CullNone, Culling, DepthFormat, NoDepth, S4, S8, ScreenVertex, Subpixel},
+    attribute::{DepthFormat, Interpolate, NoDepth},
+    geometry::{CullBack, CullNone, Culling, ScreenVertex},
     mesh::{Material, Mesh, Tables},
-    raster::Interpolate,
+    numbers::{S4, S8, Subpixel},
+    output::{BandAreas, Frame},
     scene::{Object, ProjectError, bin_words},
     shade::{Gouraud, MeshVertex, Shader, Unlit},
-    target::{BandAreas, Frame},
 };
 use rasterizer_tests::{
     Picture, Random, Surface, area,
@@ -27,7 +28,7 @@ fn bands_equal_the_frame<S, D, Sh, K>(
     heights: impl Iterator<Item = u32> + Clone,
 ) where
     S: Subpixel,
-    D: Depth + DepthFormat + Interpolate,
+    D: Depth + DepthFormat,
     Sh: Shader<Color = Rgb888>,
     K: Culling,
 {
@@ -39,7 +40,7 @@ fn bands_equal_the_frame<S, D, Sh, K>(
     for eye in EYES {
         let camera = at(eye, DISPLAY);
         let seen = object.project(&camera, &mut storage).unwrap();
-        let walked = object.walk(&camera, S::default()).unwrap();
+        let walked = object.project_on_demand(&camera, S::default()).unwrap();
         let whole = picture::<D>(ROWS, |frame| seen.draw(frame));
         let covered = whole.drawn(BACKGROUND).len();
         let least = if K::BACK || eye > "1" { 400 } else { 0 };
@@ -203,7 +204,7 @@ fn bins_need_their_words() {
         let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; mesh.vertex_count()];
         let object = Object::new(&mesh, Unlit::<Rgb888>::new());
         let seen = object.project(&at(eye, DISPLAY), &mut storage).unwrap();
-        assert_eq!(seen.is_hidden(), eye == "-30");
+        assert_eq!(seen.is_outside_view(), eye == "-30");
         for room in [0, 1, needed - 1] {
             let error = seen.binned(5, &mut vec![0; room]).err();
             assert_eq!(error, Some(ProjectError::BinStorage { needed }));
@@ -258,7 +259,7 @@ fn threads_share_a_frame() {
         let object = Object::new(&mesh, Gouraud::new(light()));
         let mut storage = vec![ScreenVertex::<S8, u16, [u16; 1]>::EMPTY; mesh.vertex_count()];
         let seen = object.project(&at(eye, DISPLAY), &mut storage).unwrap();
-        let walked = object.walk(&at(eye, DISPLAY), S8).unwrap();
+        let walked = object.project_on_demand(&at(eye, DISPLAY), S8).unwrap();
         let whole: Vec<_> =
             picture::<u16>(ROWS, |frame| seen.draw(frame)).pixels.into_iter().flatten().collect();
         let mut bins = vec![0; bin_words(mesh.triangle_count(), ROWS, 4)];
@@ -306,7 +307,7 @@ fn walking_remembers_recent_vertices() {
     fn walked<const N: usize>(mesh: &Mesh<'_>, eye: &str, whole: &Screen<Rgb888>) -> usize {
         let count = Cell::new(0);
         let object = Object::new(mesh, Counting(&count));
-        let seen = object.walk(&at(eye, DISPLAY), S8).unwrap().remembering::<N>();
+        let seen = object.project_on_demand(&at(eye, DISPLAY), S8).unwrap().with_cache::<N>();
         assert!(&picture::<u16>(ROWS, |frame| seen.draw(frame)) == whole, "{N} vertices");
         count.get()
     }

@@ -4,8 +4,8 @@
 use embedded_graphics::primitives::Rectangle;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
-    geometry::{CullBack, CullFront, Pose, S4, S8, Subpixel},
-    numbers::{Angle, Rotation, Scale, Vec3},
+    geometry::{CullBack, CullFront, Pose},
+    numbers::{Angle, Rotation, S4, S8, Scale, Subpixel, Vec3},
 };
 use rasterizer_tests::{Random, Scene, Surface, area, pixel_camera};
 

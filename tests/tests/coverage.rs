@@ -10,8 +10,8 @@ use embedded_graphics::primitives::Rectangle;
 use host_tools::model::{Model, Options};
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{CullBack, CullFront, CullNone, Pose, Projection, S4, S8, Subpixel},
-    numbers::{Angle, Rotation, Vec3},
+    geometry::{CullBack, CullFront, CullNone, Pose, Projection},
+    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
 };
 use rasterizer_tests::{
     Random, Scene, Surface, area, is_closed, other_models, pixel_camera, shipped_models,

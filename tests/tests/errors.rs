@@ -3,13 +3,14 @@
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use fixed::types::U16F16;
 use rasterizer::{
+    attribute::NoDepth,
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{NoDepth, Pose, PoseError, Projection, S4, S8, ScreenVertex},
+    geometry::{Pose, PoseError, Projection, ScreenVertex},
     mesh::{Material, Mesh, Tables},
-    numbers::{Angle, Rotation, Scale, Vec3},
+    numbers::{Angle, Rotation, S4, S8, Scale, Vec3},
+    output::{Direct, Frame},
     scene::{DrawError, Object, ProjectError},
     shade::{Flat, Gouraud, Level, Light, MeshVertex, RequiredTables, Shader, Unlit},
-    target::{Direct, Frame},
 };
 use rasterizer_tests::{Picture, Recorder, Surface, area};
 
@@ -134,8 +135,8 @@ fn objects_beyond_all_numbers_are_refused() {
     let eighth = Pose::rotated(Rotation::about_z(Angle::degrees(45)));
     let carried_off = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(eighth.scaled(huge));
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; 100];
-    assert!(carried_off.project(&perspective(), &mut storage).unwrap().is_hidden());
-    assert!(carried_off.project(&parallel, &mut storage).unwrap().is_hidden());
+    assert!(carried_off.project(&perspective(), &mut storage).unwrap().is_outside_view());
+    assert!(carried_off.project(&parallel, &mut storage).unwrap().is_outside_view());
     assert_eq!(
         far_off.to_string(),
         "the object is too large or too far away: make its scale or its offset smaller"

@@ -4,11 +4,11 @@
 use embedded_graphics::{geometry::Point, pixelcolor::Rgb888, primitives::Rectangle};
 use rasterizer::{
     camera::{Camera, Distance, MAX_VIEWPORT_OFFSET, Perspective},
-    geometry::{CullBack, CullFront, CullNone, Pose, Projection, S4, S8, ScreenVertex, Subpixel},
-    numbers::{Angle, Rotation, Vec3},
+    geometry::{CullBack, CullFront, CullNone, Pose, Projection, ScreenVertex},
+    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    output::Frame,
     scene::{Object, ProjectError},
     shade::{Gouraud, Level, Light, Unlit},
-    target::Frame,
 };
 use rasterizer_tests::{Picture, Placed, Random, Scene, Surface, area, ends, pixel_camera};
 

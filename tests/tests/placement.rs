@@ -8,8 +8,8 @@
 use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
     camera::{Camera, Orthographic, Perspective},
-    geometry::{Projection, S4, S8, Subpixel},
-    numbers::Vec3,
+    geometry::Projection,
+    numbers::{S4, S8, Subpixel, Vec3},
     scene::Object,
     shade::Unlit,
 };

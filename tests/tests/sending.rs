@@ -9,12 +9,13 @@ use embedded_graphics::{
     primitives::{PointsIter, Rectangle},
 };
 use rasterizer::{
-    geometry::{NoDepth, Pose, S8, ScreenVertex},
+    attribute::NoDepth,
+    geometry::{Pose, ScreenVertex},
     mesh::{Mesh, Tables},
-    numbers::{Angle, Rotation, Scalar, Vec3},
+    numbers::{Angle, Rotation, S8, Scalar, Vec3},
+    output::{BandAreas, Bands, Frame, FrameError, Rgb565Be, StoredColor, StreamError},
     scene::{Needs, Object, bin_words},
     shade::{Flat, Gouraud, Shader, Unlit},
-    target::{BandAreas, Bands, Frame, FrameError, Rgb565Be, StoredColor, StreamError},
 };
 use rasterizer_tests::{
     BusError, Call, Picture, Random, Recorder, Surface, area,
@@ -156,7 +157,10 @@ fn bounds_hold_what_is_drawn() {
             let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; mesh.vertex_count()];
             let seen = object.project(&at("1.7", DISPLAY), &mut storage).unwrap();
             let bounds = seen.bounds();
-            assert_eq!(bounds, object.walk::<_, _, u16>(&at("1.7", DISPLAY), S8).unwrap().bounds());
+            assert_eq!(
+                bounds,
+                object.project_on_demand::<_, _, u16>(&at("1.7", DISPLAY), S8).unwrap().bounds()
+            );
             let drawn = picture::<u16>(ROWS, |frame| seen.draw(frame)).drawn(BACKGROUND);
             let is_inside = bounds.is_some_and(|bounds| {
                 let (low, high) = (bounds.top_left, bounds.bottom_right().unwrap());

@@ -8,13 +8,14 @@ use embedded_graphics::{
     primitives::{PointsIter, Rectangle},
 };
 use rasterizer::{
+    attribute::NoDepth,
     camera::{Camera, Distance, Perspective},
-    geometry::{NoDepth, S8, ScreenVertex},
+    geometry::ScreenVertex,
     mesh::Mesh,
-    numbers::{Angle, Rotation, Vec3},
+    numbers::{Angle, Rotation, S8, Vec3},
+    output::{Direct, Frame, FrameError, StoredColor},
     scene::{DrawError, Object},
     shade::{Gouraud, Level, Light, Shader, Unlit},
-    target::{Direct, Frame, FrameError, StoredColor},
 };
 use rasterizer_tests::{BusError, Call, Picture, Recorder, Surface, area, bands::Position};
 

@@ -5,14 +5,11 @@ use std::convert::Infallible;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
+    attribute::{DepthFormat, Interpolate, NoDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{
-        ClipNone, CullBack, CullFront, CullNone, Culling, DepthFormat, NoDepth, Projection, S4, S8,
-        ScreenVertex, Subpixel,
-    },
+    geometry::{ClipNone, CullBack, CullFront, CullNone, Culling, Projection, ScreenVertex},
     mesh::{Mesh, Triangles},
-    numbers::{Angle, Rotation, Vec3},
-    raster::Interpolate,
+    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
     scene::{Object, bin_words},
     shade::Unlit,
 };
@@ -48,7 +45,7 @@ fn equals_the_mesh_of_whole_triangles<S, D, P, K>(
 ) -> [usize; 2]
 where
     S: Subpixel,
-    D: Depth + DepthFormat + Interpolate,
+    D: Depth + DepthFormat,
     P: Projection,
     K: Culling,
 {
@@ -68,9 +65,9 @@ where
     };
 
     let object = Object::new(mesh, Position).culled(culling).clipped(ClipNone);
-    let walked = object.walk(camera, S::default()).unwrap();
+    let walked = object.project_on_demand(camera, S::default()).unwrap();
     let seen = object.project(camera, &mut storage).unwrap();
-    assert!(!seen.is_hidden());
+    assert!(!seen.is_outside_view());
     for rows in [ROWS, 16, 1] {
         assert!(expected == picture::<D>(rows, |band| seen.draw(band)), "{rows} rows");
         assert!(expected == picture::<D>(rows, |band| walked.draw(band)), "walked, {rows} rows");
@@ -149,9 +146,9 @@ fn the_whole_triangles_are_visited() {
             };
         let object = Object::new(&mesh, Unlit::<Rgb888>::new()).culled(CullNone);
         let (mut cut, mut left) = (vec![], vec![]);
-        let seen = object.walk(&camera, S4).unwrap();
+        let seen = object.project_on_demand(&camera, S4).unwrap();
         let Ok(()) = seen.for_each_triangle(|index, corners| visited(&mut cut, index, corners));
-        let seen = object.clipped(ClipNone).walk(&camera, S4).unwrap();
+        let seen = object.clipped(ClipNone).project_on_demand(&camera, S4).unwrap();
         let Ok(()) = seen.for_each_triangle(|index, corners| visited(&mut left, index, corners));
         let whole: Vec<_> = whole(&mesh, &camera).into_iter().map(|(index, _)| index).collect();
         cut.retain(|(index, _)| whole.contains(index));

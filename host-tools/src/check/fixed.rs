@@ -8,11 +8,12 @@ use std::{
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use rasterizer::{
     camera::Camera,
-    geometry::{Projection, S4, S8, ScreenVertex, Subpixel},
+    geometry::{Projection, ScreenVertex},
     mesh::Mesh,
+    numbers::{S4, S8, Subpixel},
+    output::{Frame, StoredDepth},
     scene::Object,
-    shade::{Flat, Gouraud, Shader, Unlit},
-    target::{Frame, StoredDepth},
+    shade::{Flat, Gouraud, OnScreen, Shader, Unlit},
 };
 
 use super::view::{self, Shading, View, ViewError, triangle_colors};
@@ -62,7 +63,7 @@ impl<D: StoredDepth + Into<u32>> Judged for D {}
 /// What the judge has to know about a shader.
 trait Leveled: Shader<Color = Rgb888> {
     /// The light level, from 0 to 1, of a vertex of the triangle `index`.
-    fn level(&self, varyings: Self::Varyings, mesh: &Mesh<'_>, index: usize) -> f64;
+    fn level(&self, varyings: OnScreen<Self>, mesh: &Mesh<'_>, index: usize) -> f64;
 }
 
 impl Leveled for Unlit<Rgb888> {
@@ -154,7 +155,7 @@ fn by_shader<P: Projection, S: Subpixel, D: Judged, Sh: Leveled>(
     let pixels = area.size.width as usize * area.size.height as usize;
     let mut color = vec![Rgb888::BLACK; pixels];
     let mut depth = vec![D::ZERO; pixels];
-    let mut storage = vec![ScreenVertex::<S, D, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+    let mut storage = vec![ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     let object = Object::new(&mesh, shader.clone()).posed(view.pose());
 
     let start = Instant::now();
@@ -165,7 +166,7 @@ fn by_shader<P: Projection, S: Subpixel, D: Judged, Sh: Leveled>(
 
     let to_pixels = |c: i32| f64::from(c) / f64::from(1 << S::BITS);
     let colors = triangle_colors(model);
-    let in_object_space = shader.in_object_space(object.pose());
+    let for_object = shader.for_object(object.pose());
     let mut triangles = Vec::new();
     let Ok(()) = projected.for_each_triangle(|index, corners| {
         triangles.push(ScreenTriangle {
@@ -175,7 +176,7 @@ fn by_shader<P: Projection, S: Subpixel, D: Judged, Sh: Leveled>(
                     x,
                     y,
                     depth: f64::from(corner.depth().into()),
-                    level: in_object_space.level(corner.varyings(), &mesh, index),
+                    level: for_object.level(corner.varyings(), &mesh, index),
                 }
             }),
             color: colors[index],
@@ -183,7 +184,7 @@ fn by_shader<P: Projection, S: Subpixel, D: Judged, Sh: Leveled>(
         Ok::<(), Infallible>(())
     });
     let place =
-        |vertex: &ScreenVertex<S, D, Sh::Varyings>| vertex.position().map(|p| p.map(to_pixels));
+        |vertex: &ScreenVertex<S, D, OnScreen<Sh>>| vertex.position().map(|p| p.map(to_pixels));
     let vertices = projected.vertices().iter().map(place).collect();
     let pixel = |(color, depth): (&Rgb888, &D)| Pixel {
         color: [color.r(), color.g(), color.b()],

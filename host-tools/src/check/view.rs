@@ -8,9 +8,9 @@ use rasterizer::{
     camera::{Camera, CameraError, Distance, Orthographic, Perspective},
     geometry::Pose,
     numbers::{Angle, Rotation, Scalar, Vec3},
+    output::FrameError,
     scene::ProjectError,
     shade::{Level, Light},
-    target::FrameError,
 };
 
 use crate::{model::Model, reference};

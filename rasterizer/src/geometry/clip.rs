@@ -8,18 +8,20 @@
 use heapless::Vec;
 
 use super::{
-    Projection, Varyings,
-    attribute::lerp,
-    projection::Lens,
+    Projection,
+    lens::Lens,
     transform::{ClipVertex, Transform},
 };
-use crate::numbers::Divisor;
+use crate::{
+    attribute::{Varyings, lerp},
+    numbers::Divisor,
+};
 
 /// A triangle has three corners, and each of the six planes adds one at most.
 pub(crate) const MAX_CORNERS: usize = 9;
 
 #[derive(Clone, Copy, Debug)]
-enum Plane {
+enum ClipPlane {
     Near,
     Far,
     Left,
@@ -29,10 +31,16 @@ enum Plane {
 }
 
 /// The near plane comes first: behind it all w are positive.
-const PLANES: [Plane; 6] =
-    [Plane::Near, Plane::Far, Plane::Left, Plane::Right, Plane::Top, Plane::Bottom];
+const PLANES: [ClipPlane; 6] = [
+    ClipPlane::Near,
+    ClipPlane::Far,
+    ClipPlane::Left,
+    ClipPlane::Right,
+    ClipPlane::Top,
+    ClipPlane::Bottom,
+];
 
-impl Plane {
+impl ClipPlane {
     /// How far inside the plane a vertex lies, in some unit; negative outside. No coordinate
     /// reaches 2^30.
     #[inline(never)]
@@ -63,8 +71,8 @@ impl Plane {
     }
 }
 
-/// Hands over what is left of a triangle: the corners of a convex polygon, in the triangle's order,
-/// or none.
+/// Visits the corners of what the planes leave of a triangle: a convex polygon, in the triangle's
+/// order, or none.
 #[inline(always)]
 pub(crate) fn clip<P: Projection, V: Varyings>(
     triangle: impl IntoIterator<Item = ClipVertex<V>>,
@@ -103,7 +111,7 @@ pub(crate) fn clip<P: Projection, V: Varyings>(
     polygon.iter().copied().for_each(visit);
 }
 
-/// Where the edge from `inside` to `outside` meets the plane from which they are so far.
+/// The intersection of an edge with a plane, by the signed distances of both ends from it.
 #[inline(never)]
 fn crossing<V: Varyings>(
     inside: &ClipVertex<V>,

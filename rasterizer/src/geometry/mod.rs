@@ -12,21 +12,17 @@
 //! triangles that touch it go back to clip space and are cut there (clip). All other triangles are
 //! never clipped: what lies beyond the viewport costs the rasterizer nothing.
 
-mod attribute;
 mod clip;
-mod clipping;
-mod cull;
+mod lens;
 mod pose;
-mod projection;
 mod row;
 mod screen;
 mod transform;
+mod visibility;
 
-pub use attribute::{Attribute, DepthFormat, NoDepth, Varyings};
 pub(crate) use clip::{MAX_CORNERS, clip};
-pub use clipping::{ClipAll, ClipNone, Clipping};
-pub use cull::{CullBack, CullFront, CullNone, Culling};
+pub use lens::Projection;
 pub use pose::{Pose, PoseError};
-pub use projection::Projection;
-pub use screen::{S4, S8, ScreenVertex, Subpixel};
+pub use screen::ScreenVertex;
 pub(crate) use transform::{ClipVertex, Transform};
+pub use visibility::{ClipAll, ClipNone, Clipping, CullBack, CullFront, CullNone, Culling};

@@ -2,39 +2,10 @@
 
 use core::marker::PhantomData;
 
-use super::{DepthFormat, Varyings};
-
-/// How finely a vertex's place on the screen is resolved.
-///
-/// The choice is between [`S4`], whose set-up needs no 64-bit arithmetic, and [`S8`], the precision
-/// of Direct3D 11 (functional specification 3.2.4.1). What a pixel costs is the same.
-pub trait Subpixel: Copy + Default + private::Sealed {
-    /// The binary digits behind the point of a pixel coordinate.
-    const BITS: u32;
-}
-
-mod private {
-    pub trait Sealed {}
-    impl Sealed for super::S4 {}
-    impl Sealed for super::S8 {}
-}
-
-/// Sixteenths of a pixel: a vertex is off by at most 1/32 pixel in x and y. For cores without a
-/// long multiply.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct S4;
-
-/// 256ths of a pixel: a vertex is off by at most 1/512 pixel in x and y.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct S8;
-
-impl Subpixel for S4 {
-    const BITS: u32 = 4;
-}
-
-impl Subpixel for S8 {
-    const BITS: u32 = 8;
-}
+use crate::{
+    attribute::{DepthFormat, Interpolate},
+    numbers::Subpixel,
+};
 
 /// The guard band reaches 2<sup>10</sup> pixels to each side of the viewport's middle.
 pub(crate) const GUARD_BITS: u32 = 10;
@@ -51,7 +22,7 @@ pub struct ScreenVertex<S, D, V> {
     precision: PhantomData<S>,
 }
 
-impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
+impl<S: Subpixel, D: DepthFormat, V: Interpolate> ScreenVertex<S, D, V> {
     /// To fill storage with. All its bits are 0, so that storage in a `static` takes no flash.
     pub const EMPTY: Self = Self::new(0, 0, D::ZERO, V::ZERO);
 
@@ -60,8 +31,8 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
         Self::new(i32::MIN, 0, D::ZERO, varyings)
     }
 
-    /// From its coordinates in sub-pixels from the display's top-left corner; nothing unless they
-    /// lie within -1,024 <= x, y < 1,024 pixels, which is what
+    /// From its coordinates in sub-pixels from the display's top-left corner. Returns `None` unless
+    /// they lie within -1,024 <= x, y < 1,024 pixels, which is what
     /// [`Triangle`](crate::raster::Triangle) is exact for.
     #[must_use]
     pub const fn checked(x: i32, y: i32, depth: D, varyings: V) -> Option<Self> {
@@ -85,8 +56,7 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
         self.x != i32::MIN
     }
 
-    /// Its coordinates in sub-pixels, or nothing if it lies outside near plane, far plane or guard
-    /// band.
+    /// Its coordinates in sub-pixels; `None` outside near plane, far plane or guard band.
     #[must_use]
     pub const fn position(&self) -> Option<[i32; 2]> {
         if self.is_on_screen() { Some([self.x, self.y]) } else { None }
@@ -108,7 +78,10 @@ impl<S: Subpixel, D: DepthFormat, V: Varyings> ScreenVertex<S, D, V> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::NoDepth;
+    use crate::{
+        attribute::NoDepth,
+        numbers::{S4, S8},
+    };
 
     #[test]
     fn vertices_are_small() {

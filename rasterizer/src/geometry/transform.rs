@@ -1,15 +1,16 @@
 //! Object space to clip space to the screen: the work on every vertex.
 
 use super::{
-    DepthFormat, Pose, PoseError, Projection, ScreenVertex, Subpixel, Varyings,
-    projection::Lens,
+    Pose, PoseError, Projection, ScreenVertex,
+    lens::Lens,
     row::{Row, Terms},
     screen::GUARD_BITS,
 };
 use crate::{
+    attribute::{DepthFormat, Interpolate, Varyings},
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{mul_high, saturate},
+    numbers::{Subpixel, mul_high, saturate},
 };
 
 /// A point in clip space.
@@ -73,7 +74,7 @@ impl<P: Projection> Transform<P> {
     /// A copy, field by field: for one of the whole compilers call `memcpy`, 370 bytes where
     /// nothing else does.
     #[inline(always)]
-    pub(crate) const fn by_parts(&self) -> Self {
+    pub(crate) const fn clone_by_fields(&self) -> Self {
         Self {
             x: self.x,
             y: self.y,
@@ -99,10 +100,11 @@ impl<P: Projection> Transform<P> {
         ClipVertex { x: self.x.apply(p), y: self.y.apply(p), z: self.z.apply(p), varyings }
     }
 
-    /// The same where there are few: a function that is called.
+    /// [`object_to_clip`](Self::object_to_clip) without varyings, outlined for the few vertices of
+    /// boxes and clipped triangles.
     #[cold]
     #[inline(never)]
-    pub(crate) fn few_to_clip(&self, position: [i16; 3]) -> [i32; 3] {
+    pub(crate) fn object_to_clip_outlined(&self, position: [i16; 3]) -> [i32; 3] {
         let ClipVertex { x, y, z, .. } = self.object_to_clip(position, ());
         [x, y, z]
     }
@@ -113,12 +115,12 @@ impl<P: Projection> Transform<P> {
     pub(crate) fn clip_to_screen<S: Subpixel, D: DepthFormat, V: Varyings>(
         &self,
         vertex: ClipVertex<V>,
-    ) -> ScreenVertex<S, D, V> {
+    ) -> ScreenVertex<S, D, V::OnScreen> {
         let ClipVertex { x, y, z, varyings } = vertex;
         let w = self.lens.w(z);
         // Negative if one of them is: no coordinate reaches 2^30.
         if ((z - self.near) | (self.far - z) | (w - x) | (w + x) | (w - y) | (w + y)) < 0 {
-            return ScreenVertex::off_screen(varyings);
+            return ScreenVertex::off_screen(V::OnScreen::ZERO);
         }
         let reciprocal = self.lens.reciprocal_of_twice(w);
         // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper
@@ -135,13 +137,13 @@ impl<P: Projection> Transform<P> {
             to_subpixels(x, self.center[0]),
             to_subpixels(y, self.center[1]),
             D::from_fraction(self.lens.depth(z, reciprocal)),
-            varyings,
+            varyings.on_screen(self.lens.inverse_w(reciprocal)),
         )
     }
 
     /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all
     /// its corners beyond one and the same plane.
-    pub(crate) fn hides(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
+    pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
         let corners = cuboid.corners();
         corners.iter().fold(0b11_1111, |bits, &corner| bits & self.beyond(corner, size)) != 0
     }
@@ -150,7 +152,7 @@ impl<P: Projection> Transform<P> {
     /// its own, as compilers repeat it for each corner of a box.
     #[inline(never)]
     pub(crate) fn beyond(&self, position: [i16; 3], [width, height]: [i32; 2]) -> u8 {
-        let [x, y, z] = self.few_to_clip(position);
+        let [x, y, z] = self.object_to_clip_outlined(position);
         // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
         let (across, down) = (width / 2 + 2, height / 2 + 2);
         // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31
@@ -288,7 +290,7 @@ mod tests {
             if is_seen {
                 seen += 1;
                 assert!(
-                    !transform.hides(&Bounds::of(&positions).cuboid, [321, 240]),
+                    !transform.is_outside_view(&Bounds::of(&positions).cuboid, [321, 240]),
                     "a box is hidden that shows"
                 );
             }
@@ -342,7 +344,7 @@ mod tests {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
             let transform = Transform::new(&camera, &pose, &tables(&positions));
-            transform.hides(&Bounds::of(&positions).cuboid, [321, 240])
+            transform.is_outside_view(&Bounds::of(&positions).cuboid, [321, 240])
         };
         assert!(!hides("0", "0", "-5"));
         for (x, y, z) in [

@@ -10,10 +10,12 @@
 
 mod bounds;
 mod check;
+mod material;
 
 pub use bounds::{BoundingBox, BoundingSphere, Bounds};
 pub use check::MeshError;
 use embedded_graphics_core::pixelcolor::Rgb888;
+pub use material::MeshMaterial;
 
 use crate::numbers::{Scale, Vec3};
 

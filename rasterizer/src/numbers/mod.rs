@@ -13,6 +13,7 @@
 //! 2<sup>-26</sup>.
 
 mod angle;
+pub(crate) mod codegen;
 mod divide;
 mod float;
 mod interchange;
@@ -21,6 +22,7 @@ mod reciprocal;
 mod root;
 mod rotation;
 mod scale;
+mod subpixel;
 mod vector;
 
 pub use angle::Angle;
@@ -35,4 +37,5 @@ pub(crate) use root::unit;
 pub use rotation::Rotation;
 pub(crate) use rotation::cross;
 pub use scale::Scale;
+pub use subpixel::{S4, S8, Subpixel};
 pub use vector::{Scalar, Vec3};

@@ -21,10 +21,7 @@
 //! bits at any sub-pixel precision.
 
 use super::Layout;
-use crate::{
-    geometry::Subpixel,
-    numbers::{IS_NARROW, divide, divide_small},
-};
+use crate::numbers::{IS_NARROW, Subpixel, divide, divide_small};
 
 /// An edge on its way down the rows.
 #[derive(Clone, Copy, Debug)]
@@ -162,7 +159,7 @@ const fn scaled<S: Subpixel>(below: i32, remainder: i32, dy: i32) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{S4, S8};
+    use crate::numbers::{S4, S8};
 
     /// The boundary by its definition.
     fn boundary(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> i32 {

@@ -1,4 +1,4 @@
-//! From a triangle on the screen to spans of covered pixels.
+//! From primitives on the screen to spans of covered pixels.
 //!
 //! Coverage is exact. A pixel is covered if its centre lies inside the triangle; a centre on an
 //! edge belongs to the triangle whose top or left edge it is (Direct3D 11 functional specification
@@ -7,15 +7,17 @@
 //! rounding (edge).
 //!
 //! Attributes are planes over the screen, set up from the snapped vertices, evaluated at covered
-//! centres only (gradient). This module knows nothing of colours, buffers and displays: a
-//! [`Triangle`] visits its [`Span`]s.
+//! centres only. This module knows nothing of colours, buffers and displays: a [`Primitive`] visits
+//! its [`Span`]s.
 
 mod edge;
-mod gradient;
-mod span;
+mod gradients;
+mod primitive;
 mod triangle;
+mod window;
 
-pub use gradient::{Interpolate, Plane, QuickGradients, Step, TriangleSetup};
-pub use span::{Layout, Span, Window};
-pub(crate) use triangle::first_center;
-pub use triangle::{Triangle, signed_area};
+pub use gradients::Gradients;
+pub use primitive::{Fragment, FragmentOf, Primitive, Span};
+pub use triangle::Triangle;
+pub(crate) use triangle::{first_center, signed_area};
+pub use window::{Layout, Window};

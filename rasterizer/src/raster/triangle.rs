@@ -1,22 +1,16 @@
 //! One triangle, row by row.
 
-use core::hint::black_box;
-
-use super::{
-    Interpolate, Layout, Plane, Span, Window,
-    edge::Edge,
-    gradient::{QuickGradients, TriangleSetup},
-};
+use super::{Layout, Primitive, Span, Window, edge::Edge};
 use crate::{
-    geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings},
-    numbers::IS_NARROW,
+    attribute::{DepthFormat, Interpolate, Plane, QuickGradients, TriangleSetup},
+    geometry::ScreenVertex,
+    numbers::{IS_NARROW, Subpixel, codegen},
 };
 
 /// Twice the area of a triangle on the screen in square sub-pixels: negative if its corners run
 /// counter-clockwise, as y runs downwards. Exact.
 #[inline(always)]
-#[must_use]
-pub fn signed_area<S: Subpixel, D, V>([a, b, c]: [&ScreenVertex<S, D, V>; 3]) -> i64 {
+pub(crate) fn signed_area<S: Subpixel, D, V>([a, b, c]: [&ScreenVertex<S, D, V>; 3]) -> i64 {
     let (dx1, dy1) = (b.x - a.x, b.y - a.y);
     let (dx2, dy2) = (c.x - a.x, c.y - a.y);
     let half = 1 << 15;
@@ -45,32 +39,40 @@ pub struct Triangle<'v, S, D, V> {
     area: i64,
 }
 
-impl<'v, S, D, V> Triangle<'v, S, D, V>
-where
-    S: Subpixel,
-    D: DepthFormat + Interpolate,
-    V: Varyings + Interpolate,
-{
+impl<'v, S: Subpixel, D: DepthFormat, V: Interpolate> Triangle<'v, S, D, V> {
+    /// From its corners. Returns `None` if one of them is not on the screen.
+    #[must_use]
+    pub fn new(corners: [&'v ScreenVertex<S, D, V>; 3]) -> Option<Self> {
+        let is_on_screen = corners.iter().all(|corner| corner.is_on_screen());
+        is_on_screen.then(|| Self::with_area(corners, signed_area(corners)))
+    }
+
     /// From its corners, which are all on the screen, and their [`signed_area`].
     #[inline(always)]
-    pub const fn new(corners: [&'v ScreenVertex<S, D, V>; 3], area: i64) -> Self {
+    pub(crate) const fn with_area(corners: [&'v ScreenVertex<S, D, V>; 3], area: i64) -> Self {
         Self { corners, area }
     }
 
-    /// Visits its pixels that lie in `window`, row by row from the top, with their addresses in
-    /// `layout`; a triangle without area has none.
-    ///
-    /// # Errors
-    ///
-    /// What `visit` ends in, at once.
     #[inline(always)]
-    pub fn for_each_span<E>(
-        &self,
-        window: &Window,
-        layout: Layout,
-        mut visit: impl FnMut(&Span<D, V>) -> Result<(), E>,
-    ) -> Result<(), E> {
-        // From top to bottom, and on which side of the long edge the middle corner lies.
+    pub(super) const fn corners(&self) -> [&'v ScreenVertex<S, D, V>; 3] {
+        self.corners
+    }
+
+    #[inline(always)]
+    pub(super) const fn area(&self) -> i64 {
+        self.area
+    }
+
+    /// The plane of its varyings over the display's columns and rows.
+    pub(super) fn varyings_plane(&self) -> Plane<V::Accumulator> {
+        let sorted = self.sorted();
+        let (setup, quick) = (sorted.setup(), sorted.quick());
+        V::plane(&setup, quick, sorted.varyings()).over_addresses(sorted.to_first(0), 0)
+    }
+
+    /// Its corners from top to bottom.
+    #[inline(always)]
+    const fn sorted(&self) -> Sorted<'v, S, D, V> {
         let [mut top, mut middle, mut bottom] = self.corners;
         let mut middle_is_right = self.area >= 0;
         if middle.y < top.y {
@@ -85,123 +87,206 @@ where
                 middle_is_right = !middle_is_right;
             }
         }
+        Sorted { top, middle, bottom, middle_is_right, area: self.area }
+    }
+}
 
-        let first_row = first_center::<S>(top.y).max(window.top);
-        let end_row = first_center::<S>(bottom.y).min(window.bottom);
-        let left = top.x.min(middle.x).min(bottom.x);
-        let right = top.x.max(middle.x).max(bottom.x);
-        let (first_column, end_column) = (first_center::<S>(left), first_center::<S>(right));
-        if self.area == 0 || first_row >= end_row || first_column >= end_column {
-            return Ok(());
-        }
-        let is_cut = ((first_column - window.left) | (window.right - end_column)) < 0;
+impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Triangle<'_, S, D, V> {
+    type Depth = D;
+    type Varyings = V;
 
-        let at = |vertex: &ScreenVertex<S, D, V>| [vertex.x, vertex.y];
-        let (anchor_column, anchor_row) = (top.x >> S::BITS, top.y >> S::BITS);
-        // From the anchor to the pixel at address 0 of the display's first row.
-        let to_first = [layout.origin - anchor_column, -anchor_row];
-        let quick = QuickGradients::new::<S>(
-            self.area,
-            middle_is_right,
-            ((right - left) | (bottom.y - top.y)) as u32,
-        );
-        // What is used once a row stays in memory, from where it is worked out: compilers would
-        // rather keep it in registers and spill what is used for every pixel (18 instead of
-        // 15 instructions a pixel on the Cortex-M4).
+    /// A triangle without area covers no pixel.
+    #[inline(always)]
+    fn for_each_span<E>(
+        &self,
+        window: &Window,
+        layout: Layout,
+        mut visit: impl FnMut(&Span<D, V>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let sorted = self.sorted();
+        let Some(extent) = sorted.extent(window) else { return Ok(()) };
+        let to_first = sorted.to_first(layout.origin);
+        let quick = sorted.quick();
+        // codegen: values that are used once a row stay in memory.
         let (mut depth, mut varyings);
         if quick.is_some() {
-            let setup = TriangleSetup::<S>::new(
-                [at(top), at(middle), at(bottom)],
-                middle_is_right,
-                self.area,
-            );
-            depth = D::plane(&setup, quick, [top.depth, middle.depth, bottom.depth])
-                .over_addresses(to_first, layout.pitch);
-            black_box(&mut depth);
-            varyings = V::plane(&setup, quick, [top.varyings, middle.varyings, bottom.varyings])
-                .over_addresses(to_first, layout.pitch);
+            let setup = sorted.setup();
+            depth = D::plane(&setup, quick, sorted.depths()).over_addresses(to_first, layout.pitch);
+            codegen::in_memory(&mut depth);
+            varyings =
+                V::plane(&setup, quick, sorted.varyings()).over_addresses(to_first, layout.pitch);
         } else {
-            (depth, varyings) = exact_planes(
-                top,
-                middle,
-                bottom,
-                middle_is_right,
-                self.area,
-                to_first,
-                layout.pitch,
-            );
+            let Sorted { top, middle, bottom, middle_is_right, area } = sorted;
+            (depth, varyings) =
+                exact_planes(top, middle, bottom, middle_is_right, area, to_first, layout.pitch);
         }
-        black_box(&mut varyings);
+        codegen::in_memory(&mut varyings);
+        sorted.for_each_row(&extent, window, layout, |row, start, end| {
+            visit(&Span {
+                row,
+                start: start as usize,
+                end: end as usize,
+                depth: depth.at(start, row),
+                depth_step: depth.per_column,
+                varyings: varyings.at(start, row),
+                varyings_step: varyings.per_column,
+            })
+        })
+    }
+}
 
-        let mut row = first_row;
+/// A triangle's corners from top to bottom.
+#[derive(Clone, Copy, Debug)]
+struct Sorted<'v, S, D, V> {
+    top: &'v ScreenVertex<S, D, V>,
+    middle: &'v ScreenVertex<S, D, V>,
+    bottom: &'v ScreenVertex<S, D, V>,
+    /// On which side of the long edge the middle corner lies.
+    middle_is_right: bool,
+    /// The doubled area of the corners in the triangle's order.
+    area: i64,
+}
+
+/// The part of a triangle that may cover pixels of a window.
+#[derive(Clone, Copy, Debug)]
+struct Extent {
+    first_row: i32,
+    end_row: i32,
+    /// Whether it reaches beyond the window's left or right side.
+    is_cut: bool,
+}
+
+impl<S: Subpixel, D: DepthFormat, V: Interpolate> Sorted<'_, S, D, V> {
+    /// Returns `None` if no centre lies between the corners and in the window.
+    #[inline(always)]
+    fn extent(&self, window: &Window) -> Option<Extent> {
+        let Self { top, bottom, .. } = self;
+        let first_row = first_center::<S>(top.y).max(window.top);
+        let end_row = first_center::<S>(bottom.y).min(window.bottom);
+        let (left, right) = self.sides();
+        let (first_column, end_column) = (first_center::<S>(left), first_center::<S>(right));
+        if self.area == 0 || first_row >= end_row || first_column >= end_column {
+            return None;
+        }
+        let is_cut = ((first_column - window.left) | (window.right - end_column)) < 0;
+        Some(Extent { first_row, end_row, is_cut })
+    }
+
+    /// The least and the greatest x of its corners.
+    #[inline(always)]
+    fn sides(&self) -> (i32, i32) {
+        let Self { top, middle, bottom, .. } = self;
+        (top.x.min(middle.x).min(bottom.x), top.x.max(middle.x).max(bottom.x))
+    }
+
+    /// From the anchor, the pixel that holds the top corner, to the pixel at address 0 of the
+    /// display's first row.
+    #[inline(always)]
+    const fn to_first(&self, origin: i32) -> [i32; 2] {
+        [origin - (self.top.x >> S::BITS), -(self.top.y >> S::BITS)]
+    }
+
+    #[inline(always)]
+    fn quick(&self) -> Option<QuickGradients> {
+        let (left, right) = self.sides();
+        // No fewer bits than width and height.
+        let size = ((right - left) | (self.bottom.y - self.top.y)) as u32;
+        QuickGradients::new::<S>(self.area, self.middle_is_right, size)
+    }
+
+    #[inline(always)]
+    fn setup(&self) -> TriangleSetup<S> {
+        let corners = [place(self.top), place(self.middle), place(self.bottom)];
+        TriangleSetup::new(corners, self.middle_is_right, self.area)
+    }
+
+    #[inline(always)]
+    const fn depths(&self) -> [D; 3] {
+        [self.top.depth, self.middle.depth, self.bottom.depth]
+    }
+
+    #[inline(always)]
+    const fn varyings(&self) -> [V; 3] {
+        [self.top.varyings, self.middle.varyings, self.bottom.varyings]
+    }
+
+    /// Visits the rows that have covered pixels, with the address of the first one and that after
+    /// the last.
+    #[inline(always)]
+    fn for_each_row<E>(
+        &self,
+        extent: &Extent,
+        window: &Window,
+        layout: Layout,
+        mut visit: impl FnMut(i32, i32, i32) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Self { top, middle, bottom, middle_is_right, .. } = *self;
+        let mut row = extent.first_row;
         // The long edge stays; the short one on the other side gives way to the next at the middle
         // corner's row.
-        let mut long = Edge::new::<S>(at(top), at(bottom), row, &layout);
-        black_box(&mut long);
-        let (mut upper, mut lower, mut end) =
-            (top, middle, first_center::<S>(middle.y).min(end_row));
-        if row >= end {
-            (upper, lower, end) = (middle, bottom, end_row);
+        let mut long = Edge::new::<S>(place(top), place(bottom), row, &layout);
+        codegen::in_memory(&mut long);
+        let (mut upper, mut lower) = (top, middle);
+        let mut end_row = first_center::<S>(middle.y).min(extent.end_row);
+        if row >= end_row {
+            (upper, lower, end_row) = (middle, bottom, extent.end_row);
         }
         loop {
-            let mut short = Edge::new::<S>(at(upper), at(lower), row, &layout);
-            let (left, right) = black_box(if middle_is_right {
+            let mut short = Edge::new::<S>(place(upper), place(lower), row, &layout);
+            let (left, right) = codegen::unknown(if middle_is_right {
                 (&mut long, &mut short)
             } else {
                 (&mut short, &mut long)
             });
-            while row < end {
+            while row < end_row {
                 let (mut start, mut end) = (left.boundary, right.boundary);
-                if is_cut {
+                if extent.is_cut {
                     let address = layout.row_address(row);
                     start = start.max(address + window.left);
                     end = end.min(address + window.right).max(start);
                 }
-                // No address is negative, and targets that compare them so know then that `start`
-                // is the lesser.
+                // No address is negative. Compared as unsigned numbers they tell a target that
+                // `start` is the lesser.
                 if (start as usize) < end as usize {
-                    visit(&Span {
-                        row,
-                        start: start as usize,
-                        end: end as usize,
-                        depth: depth.at(start, row),
-                        depth_step: depth.per_column,
-                        varyings: varyings.at(start, row),
-                        varyings_step: varyings.per_column,
-                    })?;
+                    visit(row, start, end)?;
                 }
                 left.step();
                 right.step();
                 row += 1;
             }
-            if end == end_row {
+            if end_row == extent.end_row {
                 return Ok(());
             }
-            (upper, lower, end) = (middle, bottom, end_row);
+            (upper, lower, end_row) = (middle, bottom, extent.end_row);
         }
     }
 }
 
-/// The planes of depth and varyings over addresses, by exact divisions. The corners come one by
-/// one: an array of them would be put into memory before it is known whether it is needed.
+/// The place of a vertex in sub-pixels.
+#[inline(always)]
+const fn place<S, D, V>(vertex: &ScreenVertex<S, D, V>) -> [i32; 2] {
+    [vertex.x, vertex.y]
+}
+
+/// The planes of depth and varyings over addresses, by exact divisions.
+// codegen: the corners come one by one, because an array of them is put into memory before it is
+// known whether it is needed.
 #[cold]
 #[inline(never)]
-fn exact_planes<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpolate>(
+fn exact_planes<S: Subpixel, D: DepthFormat, V: Interpolate>(
     top: &ScreenVertex<S, D, V>,
     middle: &ScreenVertex<S, D, V>,
     bottom: &ScreenVertex<S, D, V>,
-    is_positive: bool,
+    middle_is_right: bool,
     area: i64,
     to_first: [i32; 2],
     pitch: i32,
 ) -> (Plane<D::Accumulator>, Plane<V::Accumulator>) {
-    let corners = [[top.x, top.y], [middle.x, middle.y], [bottom.x, bottom.y]];
-    let setup = TriangleSetup::<S>::new(corners, is_positive, area);
+    let sorted = Sorted { top, middle, bottom, middle_is_right, area };
+    let setup = sorted.setup();
     (
-        D::plane(&setup, None, [top.depth, middle.depth, bottom.depth])
-            .over_addresses(to_first, pitch),
-        V::plane(&setup, None, [top.varyings, middle.varyings, bottom.varyings])
-            .over_addresses(to_first, pitch),
+        D::plane(&setup, None, sorted.depths()).over_addresses(to_first, pitch),
+        V::plane(&setup, None, sorted.varyings()).over_addresses(to_first, pitch),
     )
 }
 
@@ -211,30 +296,32 @@ mod tests {
 
     use super::*;
     use crate::{
-        geometry::{S4, S8},
-        raster::Step as _,
+        attribute::Step as _,
+        numbers::{S4, S8},
     };
 
     /// Columns and rows of covered pixels with their depth and varyings.
     type Covered<D, V> = Vec<(i32, i32, D, V)>;
 
     /// The pixels of a triangle, by spans whose addresses are laid out in rows of so many pixels.
-    fn cover<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings + Interpolate>(
-        corners: [&ScreenVertex<S, D, V>; 3],
-        layout: Layout,
-    ) -> Covered<D, V> {
+    fn cover<S, D, V>(corners: [&ScreenVertex<S, D, V>; 3], layout: Layout) -> Covered<D, V::Sample>
+    where
+        S: Subpixel,
+        D: DepthFormat,
+        V: Interpolate<Walk = <V as Interpolate>::Accumulator>,
+    {
         let mut covered = vec![];
-        let Ok(()) =
-            Triangle::new(corners, signed_area(corners)).for_each_span(&WINDOW, layout, |span| {
-                let (mut depth, mut varyings) = (span.depth, span.varyings);
-                for address in span.start..span.end {
-                    let column = address as i32 + layout.origin - span.row * layout.pitch;
-                    covered.push((column, span.row, D::value(depth), V::value(varyings)));
-                    depth = depth.plus(span.depth_step);
-                    varyings = varyings.plus(span.varyings_step);
-                }
-                Ok::<(), core::convert::Infallible>(())
-            });
+        let triangle = Triangle::new(corners).unwrap();
+        let Ok(()) = triangle.for_each_span(&WINDOW, layout, |span| {
+            let (mut depth, mut varyings) = (span.depth, span.varyings);
+            for address in span.start..span.end {
+                let column = address as i32 + layout.origin - span.row * layout.pitch;
+                covered.push((column, span.row, D::at(depth), V::sample(varyings)));
+                depth = depth.wrapping_add(span.depth_step);
+                varyings = varyings.wrapping_add(span.varyings_step);
+            }
+            Ok::<(), core::convert::Infallible>(())
+        });
         covered
     }
 
@@ -301,7 +388,7 @@ mod tests {
                 // Half a unit of rounding; of error, 0.35 units by the bound for 4,096 pixels, less
                 // than 0.32 in all these.
                 assert!(
-                    (f64::from(value) - exact).abs() < 0.82,
+                    (f64::from(value.to_num::<u16>()) - exact).abs() < 0.82,
                     "{corners:?} {values:?}: {value} {exact}"
                 );
                 let exact = plane(values.map(|v| i128::from(v) << 16 | 0x1234));

@@ -1,40 +1,42 @@
 //! Which triangles reach which band of rows, found out once a frame.
 //!
-//! A frame in bands looks at each triangle once a band, and most of them reach one or two. One bit
-//! for each triangle and band says which: a size that is known before the picture is, and an order
-//! that stays the mesh's, so that ties of depth, and pictures without depth, come out as in the
-//! whole frame.
+//! A banded frame would visit every triangle in every band, although most touch one or two. One bit
+//! per triangle and band records which. Its size is known in advance, and mesh order is kept, so
+//! depth ties and frames without depth match the unbanded frame.
 
 use core::ops::Range;
 
-use super::{ProjectError, Projected, Vertices};
+use super::{Mode, Order, ProjectError, Projected, Vertices, order::Sequence};
 use crate::{
-    geometry::{ClipAll, Clipping, CullBack, Culling, Projection},
+    geometry::Projection,
     numbers::{divide, leading_zeros},
     raster::Window,
-    shade::Shader,
-    target::Target,
+    shade::{OnScreen, Shader},
 };
 
-/// How many words the bits of so many triangles take in bands of `band_rows` rows of a viewport.
+/// Returns the number of words that [`Projected::binned`] needs for `triangle_count` triangles in
+/// bands of `band_rows` rows of a viewport.
 #[must_use]
 pub const fn bin_words(triangle_count: usize, viewport_rows: u32, band_rows: u32) -> usize {
     let band_rows = if band_rows == 0 { 1 } else { band_rows };
     triangle_count.div_ceil(32) * viewport_rows.div_ceil(band_rows) as usize
 }
 
-/// An object as the camera sees it, its triangles sorted into bands of rows.
+/// The triangles of an object by the bands of rows that they reach: what
+/// [`Projected::binned`] makes.
 #[derive(Clone, Copy, Debug)]
-pub struct Binned<'b, 'a, V, P: Projection, Sh: Shader, K = CullBack, L = ClipAll> {
-    seen: Projected<'a, V, P, Sh, K, L>,
-    /// For each 32 triangles a word for each band; the most significant bit is the first
-    /// triangle's.
+pub struct Bins<'b> {
+    /// For each 32 triangles a word for each band; the most significant bit is the first triangle's.
     words: &'b [u32],
-    bands: Bands,
+    bands: BandMap,
 }
 
-impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping>
-    Projected<'a, V, P, Sh, K, L>
+impl<'a, V, P, Sh, M> Projected<'a, V, P, Sh, M>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
 {
     /// Sorts the triangles into bands of `band_rows` rows each, at least one, from the viewport's
     /// top: after that a target is drawn without a look at the triangles that do not reach the
@@ -50,9 +52,9 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Cl
         self,
         band_rows: u32,
         storage: &'b mut [u32],
-    ) -> Result<Binned<'b, 'a, V, P, Sh, K, L>, ProjectError> {
+    ) -> Result<Projected<'a, V, P, Sh, M, Bins<'b>>, ProjectError> {
         let viewport = *self.viewport();
-        let bands = Bands::new((viewport.bottom - viewport.top) as u32, band_rows);
+        let bands = BandMap::new((viewport.bottom - viewport.top) as u32, band_rows);
         let needed = self.triangle_count().div_ceil(32) * bands.count;
         let words = storage.get_mut(..needed).ok_or(ProjectError::BinStorage { needed })?;
         words.fill(0);
@@ -63,42 +65,36 @@ impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Cl
                 mark(words, FIRST >> (index % 32));
             }
         });
-        Ok(Binned { seen: self, words, bands })
+        Ok(self.in_order(Bins { words, bands }))
     }
 }
 
-impl<'a, V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping>
-    Binned<'_, 'a, V, P, Sh, K, L>
-{
-    /// The object without its bins.
-    #[must_use]
-    pub const fn projected(&self) -> &Projected<'a, V, P, Sh, K, L> {
-        &self.seen
+impl Order for Bins<'_> {}
+
+impl<'b> Sequence for Bins<'b> {
+    /// The bands that a window reaches.
+    type Reach = Range<usize>;
+    type Indices<'s>
+        = Marked<'b>
+    where
+        Self: 's;
+
+    #[inline(always)]
+    fn reach(&self, window: &Window, viewport: &Window) -> Range<usize> {
+        self.bands.reached(window, viewport)
     }
 
-    /// Draws what [`Projected::draw`] draws.
-    ///
-    /// # Errors
-    ///
-    /// What the target says, at once.
-    pub fn draw<T: Target<Color = Sh::Color, Depth = V::Depth>>(
-        &self,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        let viewport = self.seen.viewport();
-        let window = target.window().intersection(viewport);
-        if window.is_empty() {
-            return Ok(());
-        }
-        let bands = self.bands.reached(&window, viewport);
-        self.seen.draw_those(target, |run| Marked::new(self.words, self.bands.count, &bands, run))
+    #[inline(always)]
+    fn indices(&self, run: Range<usize>, reach: &Range<usize>) -> Marked<'b> {
+        Marked::new(self.words, self.bands.count, reach, run)
     }
 }
 
 /// The bit of the first triangle in a word.
 const FIRST: u32 = 1 << 31;
 
-/// Sets a bit of some words. A function of its own, as the compiler repeats its loop.
+/// Sets a bit of some words.
+// codegen: not inlined, because its loop is unrolled.
 #[inline(never)]
 fn mark(words: &mut [u32], bit: u32) {
     for word in words {
@@ -108,15 +104,15 @@ fn mark(words: &mut [u32], bit: u32) {
 
 /// The viewport's rows in bands of equal height, the last one cut short.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Bands {
+struct BandMap {
     count: usize,
     /// A row's band is ⌊row `multiplier` / 2^`shift`⌋.
     multiplier: u32,
     shift: u32,
 }
 
-impl Bands {
-    /// Of a viewport of up to 2^11 rows.
+impl BandMap {
+    /// For a viewport of up to 2^11 rows.
     ///
     /// With n = 20 + ⌊log2 height⌋ and m = ⌈2^n / height⌉, m height - 2^n = e < height: row m / 2^n
     /// is row / height plus row e / (2^n height), which stays below 1 / height, and so below
@@ -143,21 +139,21 @@ impl Bands {
         ((row as u32 * self.multiplier) >> self.shift) as usize
     }
 
-    /// Those that a window inside the viewport reaches.
+    /// The bands that a window inside the viewport reaches.
     const fn reached(self, window: &Window, viewport: &Window) -> Range<usize> {
         self.of(window.top - viewport.top)..self.of(window.bottom - 1 - viewport.top) + 1
     }
 }
 
-/// Those of a run of triangles that reach one of some bands, in order.
+/// The triangles of a run that reach one of some bands, in order.
 #[derive(Clone, Debug)]
-struct Marked<'b> {
+pub struct Marked<'b> {
     words: &'b [u32],
-    /// How far it is from a word to that of the same band and the next 32 triangles.
+    /// Words per group of 32 triangles: the number of bands.
     stride: usize,
-    /// The words of the bands for the next 32 triangles.
+    /// The words of the bands for the next group.
     next: Range<usize>,
-    /// The triangles that are still to come of 32, and the first of them all.
+    /// The unvisited bits of the current group, and the index of its first triangle.
     word: u32,
     base: usize,
     end: usize,
@@ -216,7 +212,7 @@ mod tests {
     fn every_row_is_in_its_band() {
         for rows in [1, 2, 3, 47, 240, 2047, 2048] {
             for height in 1..=rows + 1 {
-                let bands = Bands::new(rows, height);
+                let bands = BandMap::new(rows, height);
                 assert_eq!(bands.count, rows.div_ceil(height) as usize);
                 for row in 0..rows {
                     assert_eq!(
@@ -227,7 +223,7 @@ mod tests {
                 }
             }
         }
-        assert_eq!(Bands::new(10, 0), Bands::new(10, 1));
+        assert_eq!(BandMap::new(10, 0), BandMap::new(10, 1));
         assert_eq!(bin_words(33, 10, 0), bin_words(33, 10, 1));
     }
 

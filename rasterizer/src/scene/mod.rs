@@ -1,107 +1,118 @@
 //! Objects, and the two steps of drawing one: project its vertices, then draw its triangles.
 //!
-//! A frame of several objects with different shaders is so many calls of [`Object::draw`], each
-//! compiled for its shader. Where the frame is drawn in bands, [`Object::project`] does the work on
-//! the vertices once, [`Projected::binned`] finds out which triangles reach which band, and
-//! [`Binned::draw`] is called for each. [`Object::walk`] does without storage for the vertices.
-//! [`Needs`] says beforehand how much memory all of it takes.
+//! For a frame of several objects call [`Object::draw`] once for each; each call is compiled for
+//! its shader. Where the frame is drawn in bands, [`Object::project`] does the work on the vertices
+//! once, [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`]
+//! is called for each band. [`Object::project_on_demand`] needs no storage for vertices. [`Needs`]
+//! gives the length of every buffer at compile time.
+//!
+//! # Stack discipline
+//!
+//! A frame is drawn within 2 KB of stack. Three habits keep it so, and every exception to plain
+//! code in this module is one of them: a step that is done before pixels are drawn is a function
+//! that is not inlined, so that its temporaries leave the stack; a large value is built in place,
+//! by an out-parameter, instead of returned and copied; a value that is made before it can be known
+//! to be valid ([`Projected`]) is checked by its maker and never leaves it unchecked.
 
 mod bins;
 mod error;
+mod mode;
 mod needs;
+mod order;
 mod projected;
 mod vertices;
 
-pub use bins::{Binned, bin_words};
+pub use bins::{Bins, bin_words};
 pub use error::{DrawError, ProjectError};
+pub use mode::{Mode, Modes};
 pub use needs::Needs;
+pub use order::{MeshOrder, Order};
 pub use projected::Projected;
-pub use vertices::{Vertices, Walked};
+pub use vertices::{OnDemand, Vertices};
 
 use crate::{
+    attribute::DepthFormat,
     camera::Camera,
-    geometry::{
-        ClipAll, Clipping, CullBack, Culling, DepthFormat, Pose, Projection, ScreenVertex, Subpixel,
-    },
+    geometry::{Clipping, Culling, Pose, Projection, ScreenVertex},
     mesh::Mesh,
-    raster::Interpolate,
-    shade::Shader,
-    target::Target,
+    numbers::Subpixel,
+    output::{Blending, Target},
+    shade::{OnScreen, Shader},
 };
 
-/// An object whose vertices are in storage: what [`Object::project`] gives.
-pub type Stored<'v, 'a, S, D, P, Sh, K = CullBack, L = ClipAll> =
-    Projected<'a, &'v [ScreenVertex<S, D, <Sh as Shader>::Varyings>], P, Sh, K, L>;
+/// An object whose vertices are in storage.
+type Stored<'v, 'a, S, D, P, Sh, M> =
+    Projected<'a, &'v [ScreenVertex<S, D, OnScreen<Sh>>], P, Sh, M>;
 
-/// An object whose vertices are worked out when they are needed: what [`Object::walk`] gives.
-pub type Unstored<'a, S, D, P, Sh, K = CullBack, L = ClipAll> =
-    Projected<'a, Walked<S, D>, P, Sh, K, L>;
-
-/// A mesh in a pose, with a shader, and with back faces, front faces or no faces left out.
+/// A mesh in a pose, with a shader and a [`Mode`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Object<'a, Sh, K = CullBack, L = ClipAll> {
+pub struct Object<'a, Sh, M = Modes> {
     mesh: &'a Mesh<'a>,
     pose: Pose,
     shader: Sh,
-    culling: K,
-    clipping: L,
+    mode: M,
 }
 
 impl<'a, Sh: Shader> Object<'a, Sh> {
     /// A mesh as it was modelled, at the origin, without its back faces.
     #[must_use]
     pub const fn new(mesh: &'a Mesh<'a>, shader: Sh) -> Self {
-        Self { mesh, pose: Pose::IDENTITY, shader, culling: CullBack, clipping: ClipAll }
+        Self { mesh, pose: Pose::IDENTITY, shader, mode: Modes::DEFAULT }
     }
 }
 
-impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
+impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy> Object<'a, Sh, Modes<K, L, B>> {
+    /// The same object with other faces left out: [`CullBack`](crate::geometry::CullBack),
+    /// [`CullFront`](crate::geometry::CullFront) or [`CullNone`](crate::geometry::CullNone).
+    #[must_use]
+    pub fn culled<N: Culling>(self, culling: N) -> Object<'a, Sh, Modes<N, L, B>> {
+        let Modes { clipping, blending, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending })
+    }
+
+    /// The same object with triangles that reach beyond the near plane, the far plane or the guard
+    /// band cut ([`ClipAll`](crate::geometry::ClipAll)) or left out
+    /// ([`ClipNone`](crate::geometry::ClipNone)).
+    ///
+    /// For an object that never crosses these planes, `ClipNone` draws the same picture without
+    /// linking the clipper. The up-front test of the object's box is skipped too:
+    /// [`Projected::is_outside_view`] is always false, and triangles outside the picture are
+    /// rejected one by one.
+    ///
+    /// ```
+    /// # use embedded_graphics_core::pixelcolor::Rgb565;
+    /// # use rasterizer::{mesh::Mesh, prelude::*, scene::Modes};
+    /// // A gear before the camera on a small display.
+    /// # type Gear<'a> = Object<'a, Flat<Rgb565>, Modes<CullBack, ClipNone>>;
+    /// # fn gear<'a>(mesh: &'a Mesh<'a>, sun: Light, pose: Pose) -> Gear<'a> {
+    /// Object::new(mesh, Flat::new(sun)).posed(pose).clipped(ClipNone)
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn clipped<N: Clipping>(self, clipping: N) -> Object<'a, Sh, Modes<K, N, B>> {
+        let Modes { culling, blending, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending })
+    }
+
+    /// The same object with its pixels put onto the target in another way:
+    /// [`Replace`](crate::output::Replace), or [`Blend`](crate::output::Blend) with a function of
+    /// the stored colour and the new one.
+    #[must_use]
+    pub fn blended<N: Copy>(self, blending: N) -> Object<'a, Sh, Modes<K, L, N>> {
+        let Modes { culling, clipping, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending })
+    }
+}
+
+impl<'a, Sh: Shader, M: Mode> Object<'a, Sh, M> {
     /// The same object in another pose.
     #[must_use]
     pub fn posed(self, pose: Pose) -> Self {
         Self { pose, ..self }
     }
 
-    /// The same object with other faces left out: [`CullBack`],
-    /// [`CullFront`](crate::geometry::CullFront) or [`CullNone`](crate::geometry::CullNone).
-    #[must_use]
-    pub fn culled<M: Culling>(self, culling: M) -> Object<'a, Sh, M, L> {
-        Object {
-            mesh: self.mesh,
-            pose: self.pose,
-            shader: self.shader,
-            culling,
-            clipping: self.clipping,
-        }
-    }
-
-    /// The same object with triangles that reach beyond the near plane, the far plane or the guard
-    /// band cut ([`ClipAll`]) or left out ([`ClipNone`](crate::geometry::ClipNone)).
-    ///
-    /// An object that always stays between them is drawn alike without the code that cuts
-    /// triangles. Nor is it looked beforehand whether all of it lies outside the picture:
-    /// [`Projected::is_hidden`] says no, and its triangles turn out to miss the picture one by
-    /// one.
-    ///
-    /// ```
-    /// # use embedded_graphics_core::pixelcolor::Rgb565;
-    /// # use rasterizer::{mesh::Mesh, prelude::*};
-    /// // A gear before the camera on a small display.
-    /// # fn gear<'a>(mesh: &'a Mesh<'a>, sun: Light, turn: Angle) -> Object<'a, Flat<Rgb565>, CullBack, ClipNone> {
-    /// Object::new(mesh, Flat::new(sun))
-    ///     .posed(Pose::rotated(Rotation::about_y(turn)))
-    ///     .clipped(ClipNone)
-    /// # }
-    /// ```
-    #[must_use]
-    pub fn clipped<M: Clipping>(self, clipping: M) -> Object<'a, Sh, K, M> {
-        Object {
-            mesh: self.mesh,
-            pose: self.pose,
-            shader: self.shader,
-            culling: self.culling,
-            clipping,
-        }
+    fn with_mode<N>(self, mode: N) -> Object<'a, Sh, N> {
+        Object { mesh: self.mesh, pose: self.pose, shader: self.shader, mode }
     }
 
     /// Its mesh.
@@ -116,7 +127,7 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
         &self.pose
     }
 
-    /// Works out where the camera sees its vertices, once for a frame.
+    /// Projects all vertices once per frame.
     ///
     /// `storage` has room for all vertices of the mesh; its type says how finely they are placed
     /// ([`S4`] or [`S8`]).
@@ -128,13 +139,14 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
     ///
     /// [`S4`]: crate::geometry::S4
     /// [`S8`]: crate::geometry::S8
-    // What is on its way to the caller's memory would stay in the caller's stack.
+    // codegen: not inlined, or its temporaries would occupy the caller's frame while triangles are
+    // drawn.
     #[inline(never)]
-    pub fn project<'v, P: Projection, S: Subpixel, D: DepthFormat + Interpolate>(
+    pub fn project<'v, P: Projection, S: Subpixel, D: DepthFormat>(
         &self,
         camera: &Camera<P>,
-        storage: &'v mut [ScreenVertex<S, D, Sh::Varyings>],
-    ) -> Result<Stored<'v, 'a, S, D, P, Sh, K, L>, ProjectError> {
+        storage: &'v mut [ScreenVertex<S, D, OnScreen<Sh>>],
+    ) -> Result<Stored<'v, 'a, S, D, P, Sh, M>, ProjectError> {
         let vertices = self.room_in(storage)?;
         let mut seen = Projected::new(self, camera, &[][..]);
         seen.check()?;
@@ -142,14 +154,15 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
         Ok(seen)
     }
 
-    /// As much of the storage as the object needs, if it can be drawn.
+    /// The part of the storage that the object needs, if its mesh has the tables that its shader
+    /// reads.
     fn room_in<'v, T>(&self, storage: &'v mut [T]) -> Result<&'v mut [T], ProjectError> {
         error::check_tables(self.mesh.tables(), Sh::TABLES)?;
         let needed = self.mesh.vertex_count();
         storage.get_mut(..needed).ok_or(ProjectError::VertexStorage { needed })
     }
 
-    /// The object as the camera sees it, without storage for its vertices: each is worked out when
+    /// The object as the camera sees it, without storage for its vertices: each is projected when
     /// a triangle needs it, in the precision given ([`S4`] or [`S8`]), and the same pixels are
     /// drawn as after [`project`](Self::project).
     ///
@@ -160,33 +173,33 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
     ///
     /// [`S4`]: crate::geometry::S4
     /// [`S8`]: crate::geometry::S8
-    pub fn walk<P: Projection, S: Subpixel, D: DepthFormat + Interpolate>(
+    pub fn project_on_demand<P: Projection, S: Subpixel, D: DepthFormat>(
         &self,
         camera: &Camera<P>,
         precision: S,
-    ) -> Result<Unstored<'a, S, D, P, Sh, K, L>, ProjectError> {
+    ) -> Result<Projected<'a, OnDemand<S, D>, P, Sh, M>, ProjectError> {
         error::check_tables(self.mesh.tables(), Sh::TABLES)?;
-        let seen = Projected::new(self, camera, Walked::new(precision));
+        let seen = Projected::new(self, camera, OnDemand::new(precision));
         seen.check()?;
         Ok(seen)
     }
 
-    /// Draws it: [`project`](Self::project) and [`Projected::draw`] at once.
+    /// Draws it: [`project`](Self::project) and [`Projected::draw`] in one step.
     ///
     /// # Errors
     ///
-    /// What projecting it ends in, before the first pixel; and what the target says.
+    /// Returns a [`ProjectError`] before any pixel is drawn, or the target's first error.
     pub fn draw<P: Projection, S: Subpixel, T: Target<Color = Sh::Color>>(
         &self,
         camera: &Camera<P>,
-        storage: &mut [ScreenVertex<S, T::Depth, Sh::Varyings>],
+        storage: &mut [ScreenVertex<S, T::Depth, OnScreen<Sh>>],
         target: &mut T,
     ) -> Result<(), DrawError<T::Error>>
     where
-        T::Depth: DepthFormat + Interpolate,
+        M::Blending: Blending<T>,
     {
-        // What `project` returns would be copied, and both copies stay on the stack while triangles
-        // are drawn.
+        // codegen: built here, because what `project` returns would be copied, and both copies stay
+        // on the stack while triangles are drawn.
         let vertices = self.room_in(storage)?;
         let mut seen = Projected::new(self, camera, &[][..]);
         seen.check().map_err(ProjectError::from)?;

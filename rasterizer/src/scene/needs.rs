@@ -3,9 +3,13 @@
 use embedded_graphics_core::geometry::Size;
 
 use super::bin_words;
-use crate::{geometry::ScreenVertex, mesh::Mesh, shade::Shader};
+use crate::{
+    geometry::ScreenVertex,
+    mesh::Mesh,
+    shade::{OnScreen, Shader},
+};
 
-/// What the caller owns to draw a mesh in bands: lengths of arrays.
+/// What the caller owns to draw a mesh in bands, as lengths of arrays, at compile time.
 ///
 /// ```
 /// use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*};
@@ -45,7 +49,7 @@ pub struct Needs {
 }
 
 impl Needs {
-    /// Of a mesh in a viewport of this size, in bands of so many rows, at least one.
+    /// For a mesh in a viewport of this size, in bands of `band_rows` rows, at least one.
     #[must_use]
     pub const fn of(mesh: &Mesh<'_>, viewport: Size, band_rows: u32) -> Self {
         let band_rows = if band_rows == 0 { 1 } else { band_rows };
@@ -60,7 +64,7 @@ impl Needs {
     /// varyings of a shader.
     #[must_use]
     pub const fn bytes<S, D, Sh: Shader>(&self) -> usize {
-        self.vertices * size_of::<ScreenVertex<S, D, Sh::Varyings>>()
+        self.vertices * size_of::<ScreenVertex<S, D, OnScreen<Sh>>>()
             + self.bin_words * size_of::<u32>()
             + self.pixels * (size_of::<Sh::Color>() + size_of::<D>())
     }

@@ -1,6 +1,6 @@
 //! An object as the camera sees it, ready to be drawn.
 
-use core::{convert::Infallible, hint::black_box, marker::PhantomData, ops::Range};
+use core::{convert::Infallible, ops::Range};
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
@@ -8,81 +8,109 @@ use embedded_graphics_core::{
 };
 use heapless::Vec;
 
-use super::{Object, Vertices, Walked, vertices::Lookup};
+use super::{
+    MeshOrder, Mode, Modes, Object, OnDemand, Order, Vertices, order::Sequence, vertices::Lookup,
+};
 use crate::{
+    attribute::DepthFormat,
     camera::Camera,
     geometry::{
-        ClipAll, ClipVertex, Clipping, CullBack, Culling, DepthFormat, MAX_CORNERS, PoseError,
-        Projection, ScreenVertex, Subpixel, Transform, clip,
+        ClipVertex, Clipping, Culling, MAX_CORNERS, PoseError, Projection, ScreenVertex, Transform,
+        clip,
     },
-    mesh::{Material, Tables},
-    raster::{Triangle, Window, first_center, signed_area},
-    shade::{MeshFace, MeshVertex, Shader},
-    target::Target,
+    mesh::{MeshMaterial, Tables},
+    numbers::{Subpixel, codegen},
+    output::{Blending, Target},
+    raster::{Gradients, Triangle, Window, first_center, signed_area},
+    shade::{Face, MeshFace, MeshVertex, OnScreen, Shader},
 };
 
 /// The corners of a triangle on the screen.
-type Corners<'s, S, D, Sh> = [&'s ScreenVertex<S, D, <Sh as Shader>::Varyings>; 3];
+type Corners<'s, S, D, Sh> = [&'s ScreenVertex<S, D, OnScreen<Sh>>; 3];
 /// The corners of a clipped triangle.
-type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, <Sh as Shader>::Varyings>, MAX_CORNERS>;
+type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, OnScreen<Sh>>, MAX_CORNERS>;
 
-/// An object as the camera sees it; it can be drawn into any number of targets, such as the bands
-/// of a frame.
+/// An object as the camera sees it; it can be drawn into any number of targets, such as the bands of
+/// a frame.
 ///
-/// `V` is where its vertices come from: the storage that they were projected into, or [`Walked`].
+/// `V` is where its vertices come from: the storage that they were projected into, or [`OnDemand`].
+/// `O` is the order of its triangles.
 #[derive(Clone, Copy, Debug)]
-pub struct Projected<'a, V, P: Projection, Sh: Shader, K = CullBack, L = ClipAll> {
+pub struct Projected<'a, V, P: Projection, Sh: Shader, M = Modes, O = MeshOrder> {
     tables: &'a Tables<'a>,
     shader: Sh,
     transform: Transform<P>,
     vertices: V,
     /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices.
-    /// Without clipping nobody asks.
-    is_hidden: bool,
+    /// Always false with `ClipNone`.
+    is_outside_view: bool,
     viewport: Window,
-    choices: PhantomData<(K, L)>,
+    mode: M,
+    order: O,
 }
 
-impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V, P, Sh, K, L> {
-    /// An object whose mesh has the tables that its shader reads.
+impl<'a, V, P: Projection, Sh: Shader, M: Mode> Projected<'a, V, P, Sh, M> {
+    /// An object whose mesh has the tables that its shader reads. Valid once
+    /// [`check`](Self::check) has succeeded.
     #[inline(always)]
-    pub(super) fn new(object: &Object<'a, Sh, K, L>, camera: &Camera<P>, vertices: V) -> Self {
+    pub(super) fn new(object: &Object<'a, Sh, M>, camera: &Camera<P>, vertices: V) -> Self {
         let tables = object.mesh.tables();
         let mut seen = Self {
             tables,
-            shader: object.shader.in_object_space(&object.pose),
+            shader: object.shader.for_object(&object.pose),
             transform: Transform::new(camera, &object.pose, tables),
             vertices,
-            is_hidden: false,
+            is_outside_view: false,
             viewport: camera_window(&camera.viewport()),
-            choices: PhantomData,
+            mode: object.mode,
+            order: MeshOrder,
         };
-        seen.is_hidden = L::CUTS && seen.transform.hides(&object.mesh.bounds().cuboid, seen.size());
+        let cuboid = &object.mesh.bounds().cuboid;
+        seen.is_outside_view =
+            M::Clipping::CUTS && seen.transform.is_outside_view(cuboid, seen.size());
         seen
     }
 
-    /// Whether the object is within the camera's numbers; if it isn't, nothing else can be asked.
+    /// Checks that the object fits the camera's number range. Call this first: no other method is
+    /// valid until it succeeds.
     pub(super) fn check(&self) -> Result<(), PoseError> {
         self.transform.check()
     }
 
+    /// The same with its triangles in another order.
+    pub(super) fn in_order<O>(self, order: O) -> Projected<'a, V, P, Sh, M, O> {
+        Projected {
+            tables: self.tables,
+            shader: self.shader,
+            transform: self.transform,
+            vertices: self.vertices,
+            is_outside_view: self.is_outside_view,
+            viewport: self.viewport,
+            mode: self.mode,
+            order,
+        }
+    }
+}
+
+impl<'a, V, P: Projection, Sh: Shader, M, O> Projected<'a, V, P, Sh, M, O> {
     /// The same with vertices from elsewhere.
-    pub(super) fn over<W>(self, vertices: W) -> Projected<'a, W, P, Sh, K, L> {
+    fn over<W>(self, vertices: W) -> Projected<'a, W, P, Sh, M, O> {
         Projected {
             tables: self.tables,
             shader: self.shader,
             transform: self.transform,
             vertices,
-            is_hidden: self.is_hidden,
+            is_outside_view: self.is_outside_view,
             viewport: self.viewport,
-            choices: PhantomData,
+            mode: self.mode,
+            order: self.order,
         }
     }
 
     /// Whether the mesh is certain to lie outside the picture: then nothing of it is drawn.
     #[must_use]
-    pub const fn is_hidden(&self) -> bool {
-        self.is_hidden
+    pub const fn is_outside_view(&self) -> bool {
+        self.is_outside_view
     }
 
     pub(super) const fn triangle_count(&self) -> usize {
@@ -100,12 +128,12 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V,
     }
 }
 
-impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: Clipping>
-    Projected<'_, &'v [ScreenVertex<S, D, Sh::Varyings>], P, Sh, K, L>
+impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, M, O>
+    Projected<'_, &'v [ScreenVertex<S, D, OnScreen<Sh>>], P, Sh, M, O>
 {
-    /// Works all vertices out and keeps them in storage of their number.
-    pub(super) fn place(&mut self, storage: &'v mut [ScreenVertex<S, D, Sh::Varyings>]) {
-        if !self.is_hidden {
+    /// Projects all vertices into `storage`, which must hold exactly as many as the mesh has.
+    pub(super) fn place(&mut self, storage: &'v mut [ScreenVertex<S, D, OnScreen<Sh>>]) {
+        if !self.is_outside_view {
             place(self.tables, &self.shader, &self.transform, storage);
             self.vertices = storage;
         }
@@ -113,55 +141,39 @@ impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, K: Culling, L: 
 
     /// The vertices on the screen, in the mesh's order; none if the mesh is out of the picture.
     #[must_use]
-    pub const fn vertices(&self) -> &'v [ScreenVertex<S, D, Sh::Varyings>] {
+    pub const fn vertices(&self) -> &'v [ScreenVertex<S, D, OnScreen<Sh>>] {
         self.vertices
     }
 }
 
-impl<
-    'a,
-    S: Subpixel,
-    D: DepthFormat,
-    P: Projection,
-    Sh: Shader,
-    K: Culling,
-    L: Clipping,
-    const N: usize,
-> Projected<'a, Walked<S, D, N>, P, Sh, K, L>
+impl<'a, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, M, O, const N: usize>
+    Projected<'a, OnDemand<S, D, N>, P, Sh, M, O>
 {
     /// The same with another number of vertices on the stack.
     #[must_use]
-    pub fn remembering<const M: usize>(self) -> Projected<'a, Walked<S, D, M>, P, Sh, K, L> {
-        let vertices = self.vertices.remembering();
+    pub fn with_cache<const K: usize>(self) -> Projected<'a, OnDemand<S, D, K>, P, Sh, M, O> {
+        let vertices = self.vertices.with_cache();
         self.over(vertices)
     }
 }
 
-impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clipping>
-    Projected<'_, V, P, Sh, K, L>
+impl<V, P, Sh, M, O> Projected<'_, V, P, Sh, M, O>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
+    O: Order,
 {
-    /// Draws its triangles in the mesh's order.
+    /// Draws its triangles in their order.
     ///
     /// # Errors
     ///
-    /// What the target says, at once.
-    pub fn draw<T: Target<Color = Sh::Color, Depth = V::Depth>>(
-        &self,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        self.draw_those(target, |run| run)
-    }
-
-    /// Draws some of its triangles: those that `chosen` picks, in their order, from each material's
-    /// run.
-    pub(super) fn draw_those<T, I>(
-        &self,
-        target: &mut T,
-        mut chosen: impl FnMut(Range<usize>) -> I,
-    ) -> Result<(), T::Error>
+    /// Returns the target's first error, and draws no triangle after it.
+    pub fn draw<T>(&self, target: &mut T) -> Result<(), T::Error>
     where
         T: Target<Color = Sh::Color, Depth = V::Depth>,
-        I: Iterator<Item = usize>,
+        M::Blending: Blending<T>,
     {
         let window = target.window().intersection(&self.viewport);
         if window.is_empty() {
@@ -169,62 +181,52 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         }
         let rows = Rows::of::<V::Subpixel>(&window);
         let mut lookup = self.vertices.lookup();
-        let mut first = 0;
-        for material in self.tables.materials {
-            let end = first + material.triangle_count as usize;
-            // Worked out when the first triangle needs it: in a band most materials are not seen.
+        let reach = self.order.reach(&window, &self.viewport);
+        self.order.for_each_run(self.tables.materials, |material, run| {
+            // Made when the first triangle needs it: in a band most materials are not seen.
             let mut surface = None;
-            self.for_each_visible(
-                first..end,
-                &mut chosen,
-                rows,
-                &mut lookup,
-                |index, corners, area| {
-                    if surface.is_none() {
-                        self.prepare(material, &mut surface);
-                    }
-                    // `prepare` has put it there.
-                    let Some(surface) = &surface else { return Ok(()) };
-                    let triangle = Triangle::new(corners, area);
-                    match self.shader.face(surface, &MeshFace::new(self.tables, index)) {
-                        Some(color) => target.fill(triangle, &window, color),
-                        None => target.shade(triangle, &window, |varyings| {
-                            self.shader.pixel(surface, varyings)
-                        }),
-                    }
-                },
-            )?;
-            first = end;
-        }
-        Ok(())
+            let triangles = (&self.order, &reach, run);
+            self.for_each_visible(triangles, rows, &mut lookup, |index, corners, area| {
+                if surface.is_none() {
+                    self.prepare(material, &mut surface);
+                }
+                // `prepare` has put it there.
+                let Some(surface) = &surface else { return Ok(()) };
+                let triangle = Triangle::with_area(corners, area);
+                let face = MeshFace::new(self.tables, index);
+                let blending = self.mode.blending();
+                match self.shader.face(surface, &face, &Gradients::of(&triangle)) {
+                    Face::Solid(color) => blending.fill(target, &triangle, &window, color),
+                    Face::Shaded(face) => blending.shade(target, &triangle, &window, |fragment| {
+                        self.shader.pixel(surface, &face, fragment)
+                    }),
+                }
+            })
+        })
     }
 
-    /// Puts a material's surface in place. A function of its own: compilers copy it once or twice
-    /// on the way, and the stack that takes is free again when triangles are drawn.
+    /// Builds a material's surface in place.
+    // codegen: not inlined, so that its temporaries leave the stack before triangles are drawn.
     #[inline(never)]
-    fn prepare(&self, material: &Material, surface: &mut Option<Sh::Surface>) {
-        *surface = Some(self.shader.surface(material));
+    fn prepare(&self, material: usize, surface: &mut Option<Sh::Surface>) {
+        *surface = Some(self.shader.surface(&MeshMaterial::new(self.tables, material)));
     }
 
-    /// Visits the triangles that [`draw`](Self::draw) draws, in its order: those that are left of
+    /// Visits the triangles that [`draw`](Self::draw) draws, in the mesh's order: those left of
     /// the mesh's after culling and clipping, with their place in the mesh's table and their
     /// corners on the screen. A triangle that is clipped may leave several.
     ///
     /// # Errors
     ///
-    /// What `visit` ends in, at once.
+    /// Returns the first error of `visit`, and visits no triangle after it.
     pub fn for_each_triangle<E>(
         &self,
         mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>) -> Result<(), E>,
     ) -> Result<(), E> {
-        let all = 0..self.triangle_count();
-        self.for_each_visible(
-            all,
-            |all| all,
-            Rows::ALL,
-            &mut self.vertices.lookup(),
-            |index, corners, _| visit(index, corners),
-        )
+        let all = (&MeshOrder, &(), 0..self.triangle_count());
+        self.for_each_visible(all, Rows::ALL, &mut self.vertices.lookup(), |index, corners, _| {
+            visit(index, corners)
+        })
     }
 
     /// The rectangle of the pixels that its triangles may touch, as far as they lie in the
@@ -245,39 +247,34 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     /// Visits the triangles that may touch pixels of the viewport, with the smallest window round
     /// the centres inside them. A triangle that is clipped may be visited several times.
     pub(super) fn for_each_touching(&self, mut visit: impl FnMut(usize, &Window)) {
-        let (all, rows) = (0..self.triangle_count(), Rows::of::<V::Subpixel>(&self.viewport));
-        let Ok(()) = self.for_each_visible(
-            all,
-            |all| all,
-            rows,
-            &mut self.vertices.lookup(),
-            |index, corners, _| {
-                let touched = window_of(corners).intersection(&self.viewport);
-                if !touched.is_empty() {
-                    visit(index, &touched);
-                }
-                Ok::<(), Infallible>(())
-            },
-        );
+        let all = (&MeshOrder, &(), 0..self.triangle_count());
+        let rows = Rows::of::<V::Subpixel>(&self.viewport);
+        let mut lookup = self.vertices.lookup();
+        let Ok(()) = self.for_each_visible(all, rows, &mut lookup, |index, corners, _| {
+            let touched = window_of(corners).intersection(&self.viewport);
+            if !touched.is_empty() {
+                visit(index, &touched);
+            }
+            Ok::<(), Infallible>(())
+        });
     }
 
-    /// Visits those triangles that `chosen` picks from a run and that are seen and may reach
-    /// `rows`, with their signed areas. A function of its own: the loop needs its registers.
+    /// Visits those of the triangles that are seen and may reach `rows`, with their signed areas.
+    // codegen: not inlined, because the loop needs its registers.
     #[inline(never)]
-    fn for_each_visible<E, I: Iterator<Item = usize>>(
+    fn for_each_visible<E, R: Sequence>(
         &self,
-        run: Range<usize>,
-        chosen: impl FnOnce(Range<usize>) -> I,
+        (order, reach, run): (&R, &R::Reach, Range<usize>),
         rows: Rows,
         lookup: &mut V::Lookup,
         mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>, i64) -> Result<(), E>,
     ) -> Result<(), E> {
-        if self.is_hidden {
+        if self.is_outside_view {
             return Ok(());
         }
         let table = self.tables.triangles;
         // Cut to the table here, where compilers see that no index of the run lies beyond it.
-        for index in chosen(run.start..run.end.min(table.len())) {
+        for index in order.indices(run.start..run.end.min(table.len()), reach) {
             let Some(indices) = table.get(index) else {
                 break;
             };
@@ -291,9 +288,9 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
                 if let Some(area) = Self::visible_area(corners, rows) {
                     visit(index, corners, area)?;
                 }
-            } else if L::CUTS {
+            } else if M::Clipping::CUTS {
                 // Most triangles that reach out of the guard band have nothing in the picture.
-                if self.hides(index) {
+                if self.is_triangle_outside_view(index) {
                     continue;
                 }
                 let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
@@ -317,17 +314,17 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     fn visible_area(corners: Corners<'_, V::Subpixel, V::Depth, Sh>, rows: Rows) -> Option<i64> {
         let area = signed_area(corners);
         // Counter-clockwise is negative, as y runs downwards.
-        let is_seen = (area < 0 && K::FRONT) || (area > 0 && K::BACK);
+        let is_seen = (area < 0 && M::Culling::FRONT) || (area > 0 && M::Culling::BACK);
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
     }
 
     /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the
     /// same plane.
-    // The fold of the box's test: in one function with it, it took 230 bytes more of a parallel
-    // projection's stack.
+    // codegen: separate from the box test; sharing one function cost 230 bytes of stack in a
+    // parallel projection.
     #[cold]
     #[inline(never)]
-    fn hides(&self, index: usize) -> bool {
+    fn is_triangle_outside_view(&self, index: usize) -> bool {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
             bits & self
@@ -337,15 +334,15 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         beyond_all != 0
     }
 
-    /// What near plane, far plane and guard band leave of a triangle, into a polygon that is still
-    /// empty: one that is returned is copied.
+    /// Clips a triangle against the near plane, far plane and guard band, into `corners`, which must
+    /// be empty. (An out-parameter, because a returned polygon would be copied.)
     #[cold]
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
         let triangle = indices.into_iter().map(|index| {
             let vertex = MeshVertex::new(self.tables, index);
-            let [x, y, z] = self.transform.few_to_clip(vertex.position());
+            let [x, y, z] = self.transform.object_to_clip_outlined(vertex.position());
             let varyings = self.shader.vertex(&vertex);
             ClipVertex { x, y, z, varyings }
         });
@@ -375,20 +372,19 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     tables: &Tables<'_>,
     shader: &Sh,
     transform: &Transform<P>,
-    vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
+    vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
 ) {
     // Tables of that length, so that the loop need not look whether they end.
     let count = vertices.len();
     let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
         return;
     };
-    // A copy on the stack that anyone might write to: compilers read it from there for each vertex.
-    // Else they take its numbers for constants of the loop, spill them, and need a copy of a
-    // factor for each multiplication.
-    let mut transform = transform.by_parts();
-    black_box(&mut transform);
+    // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
+    // fields out of the loop, spills them, and copies a factor before each multiplication.
+    let mut transform = transform.clone_by_fields();
+    codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
-        black_box(());
+        codegen::keep_rolled();
         *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
     }
 }
@@ -399,7 +395,7 @@ fn on_screen<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     shader: &Sh,
     transform: &Transform<P>,
     vertex: &MeshVertex<'_>,
-) -> ScreenVertex<S, D, Sh::Varyings> {
+) -> ScreenVertex<S, D, OnScreen<Sh>> {
     let varyings = shader.vertex(vertex);
     transform.clip_to_screen(transform.object_to_clip(vertex.position(), varyings))
 }

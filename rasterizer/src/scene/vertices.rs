@@ -4,27 +4,28 @@
 use core::marker::PhantomData;
 
 use crate::{
-    geometry::{DepthFormat, ScreenVertex, Subpixel, Varyings},
-    raster::Interpolate,
+    attribute::{DepthFormat, Interpolate},
+    geometry::ScreenVertex,
+    numbers::Subpixel,
 };
 
-/// A source of vertices on the screen with varyings `V`: a slice of them, or [`Walked`].
+/// A source of vertices on the screen with varyings `V`: a slice of them, or [`OnDemand`].
 pub trait Vertices<V>: Copy + private::Sealed {
     /// How finely they are placed.
     type Subpixel: Subpixel;
     /// How their depth is kept.
-    type Depth: DepthFormat + Interpolate;
+    type Depth: DepthFormat;
     /// What finds them while triangles are visited.
     type Lookup: Lookup<Self::Subpixel, Self::Depth, V>;
 
-    /// Begins to look vertices up.
+    /// Begins a drawing of triangles.
     fn lookup(self) -> Self::Lookup;
 }
 
 mod private {
     pub trait Sealed {}
     impl<T> Sealed for &[T] {}
-    impl<S, D, const N: usize> Sealed for super::Walked<S, D, N> {}
+    impl<S, D, const N: usize> Sealed for super::OnDemand<S, D, N> {}
 }
 
 /// Finds the vertices of triangles.
@@ -37,9 +38,7 @@ pub trait Lookup<S, D, V> {
     ) -> Option<[&ScreenVertex<S, D, V>; 3]>;
 }
 
-impl<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings> Vertices<V>
-    for &[ScreenVertex<S, D, V>]
-{
+impl<S: Subpixel, D: DepthFormat, V: Interpolate> Vertices<V> for &[ScreenVertex<S, D, V>] {
     type Subpixel = S;
     type Depth = D;
     type Lookup = Self;
@@ -79,24 +78,24 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
 /// 320 x 240) become 7.6 million with the bins alone, and 30 million with neither. Powers of two
 /// are the fastest `N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Walked<S, D, const N: usize = 32> {
+pub struct OnDemand<S, D, const N: usize = 32> {
     precision: S,
     depth: PhantomData<D>,
 }
 
-impl<S, D, const N: usize> Walked<S, D, N> {
+impl<S, D, const N: usize> OnDemand<S, D, N> {
     pub(super) const fn new(precision: S) -> Self {
         let depth = PhantomData;
         Self { precision, depth }
     }
 
-    pub(super) fn remembering<const M: usize>(self) -> Walked<S, D, M> {
-        Walked::new(self.precision)
+    pub(super) fn with_cache<const M: usize>(self) -> OnDemand<S, D, M> {
+        OnDemand::new(self.precision)
     }
 }
 
-impl<S: Subpixel, D: DepthFormat + Interpolate, V: Varyings, const N: usize> Vertices<V>
-    for Walked<S, D, N>
+impl<S: Subpixel, D: DepthFormat, V: Interpolate, const N: usize> Vertices<V>
+    for OnDemand<S, D, N>
 {
     type Subpixel = S;
     type Depth = D;
@@ -125,7 +124,7 @@ struct Slot<S, D, V> {
     vertex: ScreenVertex<S, D, V>,
 }
 
-impl<S: Subpixel, D: DepthFormat, V: Varyings, const N: usize> Lookup<S, D, V>
+impl<S: Subpixel, D: DepthFormat, V: Interpolate, const N: usize> Lookup<S, D, V>
     for Recent<S, D, V, N>
 {
     #[inline(always)]

@@ -3,9 +3,14 @@
 use core::marker::PhantomData;
 
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
+use fixed::types::U16F16;
 
-use super::{Light, MeshFace, MeshVertex, RequiredTables, Shader, lit::Lit};
-use crate::{geometry::Pose, mesh::Material};
+use super::{Face, Light, MeshFace, MeshVertex, RequiredTables, Shader, lit::Lit};
+use crate::{
+    geometry::Pose,
+    mesh::MeshMaterial,
+    raster::{Fragment, Gradients},
+};
 
 /// The material's colour, unlit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -23,8 +28,10 @@ impl<C: PixelColor + From<Rgb888>> Shader for Unlit<C> {
     type Color = C;
     type Varyings = [u16; 0];
     type Surface = C;
+    type Face = ();
+    type Outcome = C;
 
-    fn surface(&self, material: &Material) -> C {
+    fn surface(&self, material: &MeshMaterial<'_>) -> C {
         C::from(material.rgb())
     }
 
@@ -34,12 +41,12 @@ impl<C: PixelColor + From<Rgb888>> Shader for Unlit<C> {
     }
 
     #[inline(always)]
-    fn face(&self, surface: &C, _: &MeshFace<'_>) -> Option<C> {
-        Some(*surface)
+    fn face(&self, surface: &C, _: &MeshFace<'_>, _: &Gradients<'_, [u16; 0]>) -> Face<C, ()> {
+        Face::Solid(*surface)
     }
 
     #[inline(always)]
-    fn pixel(&self, surface: &C, []: [fixed::types::U16F16; 0]) -> C {
+    fn pixel(&self, surface: &C, (): &(), _: Fragment<[U16F16; 0]>) -> C {
         *surface
     }
 }
@@ -67,15 +74,17 @@ impl<C: PixelColor + From<Rgb888>> Shader for Flat<C> {
     type Color = C;
     type Varyings = [u16; 0];
     type Surface = Rgb888;
+    type Face = ();
+    type Outcome = C;
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..RequiredTables::NONE };
 
-    fn in_object_space(&self, pose: &Pose) -> Self {
-        Self(self.0.in_object_space(pose))
+    fn for_object(&self, pose: &Pose) -> Self {
+        Self(self.0.for_object(pose))
     }
 
     #[inline(always)]
-    fn surface(&self, material: &Material) -> Rgb888 {
+    fn surface(&self, material: &MeshMaterial<'_>) -> Rgb888 {
         material.rgb()
     }
 
@@ -85,20 +94,25 @@ impl<C: PixelColor + From<Rgb888>> Shader for Flat<C> {
     }
 
     #[inline(always)]
-    fn face(&self, surface: &Rgb888, face: &MeshFace<'_>) -> Option<C> {
-        Some(darkened(*surface, self.0.light.level(face.normal())))
+    fn face(
+        &self,
+        surface: &Rgb888,
+        face: &MeshFace<'_>,
+        _: &Gradients<'_, [u16; 0]>,
+    ) -> Face<C, ()> {
+        Face::Solid(scaled_color(*surface, self.0.light.level(face.normal())))
     }
 
     #[inline(always)]
-    fn pixel(&self, surface: &Rgb888, []: [fixed::types::U16F16; 0]) -> C {
+    fn pixel(&self, surface: &Rgb888, (): &(), _: Fragment<[U16F16; 0]>) -> C {
         C::from(*surface)
     }
 }
 
-/// A colour at a brightness in Q16, 0 to 65,536, each channel rounded to the nearest. A function of
-/// its own: the loop over triangles needs its registers.
+/// A colour at a brightness in Q16, 0 to 65,536, each channel rounded to the nearest.
+// codegen: not inlined, because the loop over triangles needs its registers.
 #[inline(never)]
-fn darkened<C: From<Rgb888>>(color: Rgb888, level: u32) -> C {
+fn scaled_color<C: From<Rgb888>>(color: Rgb888, level: u32) -> C {
     let channel = |full: u8| ((u32::from(full) * level + (1 << 15)) >> 16) as u8;
     C::from(Rgb888::new(channel(color.r()), channel(color.g()), channel(color.b())))
 }
@@ -111,7 +125,7 @@ mod tests {
     fn channels_are_rounded_to_the_nearest() {
         for full in 0..=255u8 {
             for level in (0..=65_536u32).step_by(257).chain([1, 65_535, 65_536]) {
-                let color: Rgb888 = darkened(Rgb888::new(full, 255 - full, 7), level);
+                let color: Rgb888 = scaled_color(Rgb888::new(full, 255 - full, 7), level);
                 for (full, got) in [(full, color.r()), (255 - full, color.g()), (7, color.b())] {
                     let exact = f64::from(full) * f64::from(level) / 65_536.0;
                     assert!((f64::from(got) - exact).abs() <= 0.5, "{full} at {level}: {got}");

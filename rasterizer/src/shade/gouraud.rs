@@ -4,7 +4,7 @@ use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 use fixed::types::U16F16;
 
 use super::{Light, MeshVertex, Ramp, RequiredTables, Shader, lit::Lit};
-use crate::{geometry::Pose, mesh::Material};
+use crate::{geometry::Pose, mesh::MeshMaterial, raster::Fragment};
 
 /// The material's colour, lit at the vertices (Gouraud, *Continuous Shading of Curved Surfaces*,
 /// 1971). Needs [`vertex_normals`](crate::mesh::Tables::vertex_normals).
@@ -36,14 +36,16 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LE
     /// The place of the light level in the ramp.
     type Varyings = [u16; 1];
     type Surface = Ramp<C, LEVELS>;
+    type Face = ();
+    type Outcome = C;
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 
-    fn in_object_space(&self, pose: &Pose) -> Self {
-        Self(self.0.in_object_space(pose))
+    fn for_object(&self, pose: &Pose) -> Self {
+        Self(self.0.for_object(pose))
     }
 
-    fn surface(&self, material: &Material) -> Self::Surface {
+    fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {
         Ramp::between(Rgb888::new(0, 0, 0), material.rgb())
     }
 
@@ -53,7 +55,8 @@ impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LE
     }
 
     #[inline(always)]
-    fn pixel(&self, surface: &Self::Surface, [level]: [U16F16; 1]) -> C {
+    fn pixel(&self, surface: &Self::Surface, (): &(), fragment: Fragment<[U16F16; 1]>) -> C {
+        let [level] = fragment.varyings;
         surface.at(level)
     }
 }

@@ -42,7 +42,7 @@ impl Light {
 
     /// The light as an object in this pose sees it.
     #[must_use]
-    pub fn in_object_space(&self, pose: &Pose) -> Self {
+    pub fn for_object(&self, pose: &Pose) -> Self {
         let toward = pose.rotation.turn_back(&self.toward);
         Self { toward, factors: factors(toward, self.gain), ..*self }
     }
@@ -131,6 +131,6 @@ mod tests {
         let light = Light::new(Vec3::X, AMBIENT, DIFFUSE);
         // A quarter turn about y takes z to x: the side that was +z now faces the light.
         let pose = Pose::rotated(Rotation::about_y(Angle::QUARTER));
-        assert_eq!(light.in_object_space(&pose).level([0, 0, 127]), light.level([127, 0, 0]));
+        assert_eq!(light.for_object(&pose).level([0, 0, 127]), light.level([127, 0, 0]));
     }
 }

@@ -17,7 +17,7 @@ impl<C> Lit<C> {
         Self { light, color: PhantomData }
     }
 
-    pub(super) fn in_object_space(&self, pose: &Pose) -> Self {
-        Self::by(self.light.in_object_space(pose))
+    pub(super) fn for_object(&self, pose: &Pose) -> Self {
+        Self::by(self.light.for_object(pose))
     }
 }

@@ -1,39 +1,42 @@
 //! What a covered pixel becomes.
 //!
 //! A [`Shader`] is resolved at compile time: the loop over a span's pixels is built for it alone.
-//! It works in three steps, each as rarely as possible: a material becomes a *surface* once for its
-//! run of triangles, a vertex gets its *varyings* once a frame, and a pixel its colour from the
-//! surface and the interpolated varyings; or the whole *face* has one.
+//! It works in steps, each as rarely as possible: a material becomes a *surface* once for its run of
+//! triangles, a vertex gets its *varyings* once a frame, a triangle its *face*, and a pixel its
+//! colour from surface, face and interpolated varyings; or the whole face has one colour.
 //!
-//! Colours are worked out in the values that pictures store, without a gamma curve, as small
-//! displays expect.
+//! Colours are computed in the values that pictures store, without a gamma curve, as small displays
+//! expect.
 
 mod flat;
 mod gouraud;
 mod light;
 mod lit;
+mod outcome;
 mod ramp;
 
-use embedded_graphics_core::pixelcolor::PixelColor;
 pub use flat::{Flat, Unlit};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};
+pub use outcome::Outcome;
 pub use ramp::Ramp;
 
 use crate::{
-    geometry::{Pose, Varyings},
-    mesh::{Material, Tables},
-    raster::Interpolate,
+    attribute::{Interpolate, Varyings},
+    geometry::Pose,
+    mesh::{MeshMaterial, Tables},
+    raster::{Fragment, Gradients},
 };
 
 /// A way to colour a mesh.
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-/// use fixed::types::U16F16;
+/// use fixed::types::I16F16;
 /// use rasterizer::{
-///     mesh::Material,
-///     shade::{MeshVertex, Shader},
+///     mesh::MeshMaterial,
+///     raster::{Fragment, Gradients},
+///     shade::{Face, MeshFace, MeshVertex, Shader},
 /// };
 ///
 /// /// White stripes across the material's colour.
@@ -42,56 +45,87 @@ use crate::{
 ///
 /// impl Shader for Stripes {
 ///     type Color = Rgb565;
-///     type Varyings = [u16; 1];
+///     type Varyings = [i16; 1];
 ///     type Surface = Rgb565;
-///     fn surface(&self, material: &Material) -> Rgb565 {
+///     type Face = ();
+///     type Outcome = Rgb565;
+///
+///     fn surface(&self, material: &MeshMaterial<'_>) -> Rgb565 {
 ///         material.rgb().into()
 ///     }
-///     fn vertex(&self, vertex: &MeshVertex) -> [u16; 1] {
-///         [vertex.position()[1] as u16 ^ 0x8000]
+///
+///     fn vertex(&self, vertex: &MeshVertex<'_>) -> [i16; 1] {
+///         [vertex.position()[1]]
 ///     }
-///     fn pixel(&self, surface: &Rgb565, [height]: [U16F16; 1]) -> Rgb565 {
+///
+///     fn pixel(&self, surface: &Rgb565, (): &(), fragment: Fragment<[I16F16; 1]>) -> Rgb565 {
+///         let [height] = fragment.varyings;
 ///         if height.to_bits() >> 29 & 1 == 0 { *surface } else { Rgb565::WHITE }
 ///     }
 /// }
 /// ```
 pub trait Shader: Clone {
     /// The colour type of the target.
-    type Color: PixelColor;
-    /// What is interpolated from the vertices: an array of `u16`, empty if nothing is.
-    type Varyings: Varyings + Interpolate;
-    /// What a material becomes, worked out once for its run of triangles.
+    type Color: Copy;
+    /// What a vertex carries to the pixels: arrays and tuples of `u16`, `i16` and `u32`; `[u16; 0]`
+    /// for nothing.
+    type Varyings: Varyings;
+    /// What a material becomes, computed once for its run of triangles.
     type Surface;
+    /// What a triangle becomes, before its pixels are drawn: `()` for most shaders.
+    type Face: Default;
+    /// What a pixel becomes: the colour, or an `Option` of it in a shader that discards pixels.
+    type Outcome: Outcome<Self::Color>;
 
     /// The tables of the mesh that it reads; drawing a mesh without them is an error.
     const TABLES: RequiredTables = RequiredTables::NONE;
 
     /// The shader for an object in this pose, with its directions in object space.
     #[must_use]
-    fn in_object_space(&self, _pose: &Pose) -> Self {
+    fn for_object(&self, _pose: &Pose) -> Self {
         self.clone()
     }
 
     /// What a material becomes.
-    fn surface(&self, material: &Material) -> Self::Surface;
+    fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface;
 
     /// The varyings of a vertex.
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings;
 
-    /// The colour of a whole triangle, if it has a single one; [`pixel`](Self::pixel) is then not
-    /// asked.
+    /// What a triangle becomes: one colour for all of it, or what its pixels are shaded with.
     #[inline(always)]
-    fn face(&self, _surface: &Self::Surface, _face: &MeshFace<'_>) -> Option<Self::Color> {
-        None
+    fn face(
+        &self,
+        _surface: &Self::Surface,
+        _face: &MeshFace<'_>,
+        _gradients: &Gradients<'_, OnScreen<Self>>,
+    ) -> Face<Self::Color, Self::Face> {
+        Face::Shaded(Self::Face::default())
     }
 
-    /// The colour of a pixel. A varying of 16 bits arrives in Q16.16, half a unit above its
-    /// interpolated value.
+    /// What a pixel becomes. A varying of 16 bits arrives with 16 more behind the point, half a unit
+    /// above its interpolated value, so that its integer part is rounded.
     fn pixel(
         &self,
         surface: &Self::Surface,
-        varyings: <Self::Varyings as Interpolate>::Sample,
-    ) -> Self::Color;
+        face: &Self::Face,
+        fragment: Fragment<Sample<Self>>,
+    ) -> Self::Outcome;
+}
+
+/// The varyings of a shader's vertices on the screen.
+pub type OnScreen<Sh> = <<Sh as Shader>::Varyings as Varyings>::OnScreen;
+
+/// The varyings of a shader at a pixel.
+pub type Sample<Sh> = <OnScreen<Sh> as Interpolate>::Sample;
+
+/// What a shader makes of a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Face<C, F> {
+    /// One colour for all its pixels: [`Shader::pixel`] is not called.
+    Solid(C),
+    /// What its pixels are shaded with.
+    Shaded(F),
 }
 
 /// The optional tables of a mesh that a shader reads.

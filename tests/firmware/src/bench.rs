@@ -6,13 +6,14 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
+    attribute::NoDepth,
     camera::{Camera, Distance, Perspective},
-    geometry::{NoDepth, Pose, S4, S8, ScreenVertex, Subpixel},
+    geometry::{Pose, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, Vec3},
+    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    output::Rgb565Be,
     scene::{Object, bin_words},
-    shade::{Flat, Gouraud, Level, Light, Shader},
-    target::Rgb565Be,
+    shade::{Flat, Gouraud, Level, Light, OnScreen, Shader},
 };
 
 use crate::{
@@ -176,12 +177,12 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
         mut add: impl FnMut(
             &mut Cost<SET_UP>,
             &Object<'_, Sh>,
-            &mut [ScreenVertex<S, D, Sh::Varyings>],
+            &mut [ScreenVertex<S, D, OnScreen<Sh>>],
             &mut [u32],
             &mut Memory<PIXELS>,
         ),
     ) {
-        let mut vertices = [ScreenVertex::<S, D, Sh::Varyings>::EMPTY; VERTICES];
+        let mut vertices = [ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; VERTICES];
         let mut bins = [0; bin_words(TRIANGLES, SIZE.height, BAND_ROWS)];
         let mut cost = Cost::<SET_UP>::default();
         for frame in 0..FRAMES {

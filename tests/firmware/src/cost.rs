@@ -7,12 +7,13 @@ use core::{
 
 use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
 use rasterizer::{
+    attribute::{DepthFormat, NoDepth},
     camera::{Camera, Perspective},
-    geometry::{DepthFormat, NoDepth, ScreenVertex, Subpixel},
-    raster::Interpolate,
+    geometry::ScreenVertex,
+    numbers::Subpixel,
+    output::{BandAreas, DepthBuffer, Frame, Rgb565Be},
     scene::{Object, Projected, Vertices},
-    shade::Shader,
-    target::{BandAreas, DepthBuffer, Frame, Rgb565Be},
+    shade::{OnScreen, Shader},
 };
 
 use crate::{counter::Moment, memory::Memory, nothing::Nothing};
@@ -60,7 +61,7 @@ impl<const SET_UP: bool> Display for Cost<SET_UP> {
 }
 
 /// Whether a scene tests depth, by the format of its depth: `u16`, or [`NoDepth`].
-pub trait Depth: DepthFormat + Interpolate {
+pub trait Depth: DepthFormat {
     /// What keeps it.
     type Buffer<'a>: DepthBuffer<Format = Self>;
 
@@ -104,7 +105,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         object: &Object<'_, Sh>,
         camera: &Camera,
         rows: u32,
-        vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
+        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
         bins: &mut [u32],
         memory: &mut Memory<PIXELS>,
     ) {
@@ -143,7 +144,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         object: &Object<'_, Sh>,
         camera: &Camera,
         rows: u32,
-        vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
+        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
         memory: &mut Memory<PIXELS>,
     ) {
         let seen =
@@ -169,8 +170,9 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         bins: &mut [u32],
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default()))
-            .unwrap_or_else(fail);
+        let seen =
+            timed(&mut self.vertices, || object.project_on_demand::<_, S, D>(camera, S::default()))
+                .unwrap_or_else(fail);
         self.count(&seen);
         let binned = timed(&mut self.draw, || seen.binned(rows, bins)).unwrap_or_else(fail);
         for area in BandAreas::new(camera.viewport(), rows) {
@@ -196,8 +198,9 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         rows: u32,
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(&mut self.vertices, || object.walk::<_, S, D>(camera, S::default()))
-            .unwrap_or_else(fail);
+        let seen =
+            timed(&mut self.vertices, || object.project_on_demand::<_, S, D>(camera, S::default()))
+                .unwrap_or_else(fail);
         self.count(&seen);
         for area in BandAreas::new(camera.viewport(), rows) {
             self.add_area::<D, PIXELS>(
@@ -210,7 +213,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
     }
 
     /// Counts a frame, its triangles, and the pixels that change with it.
-    fn count<V: Vertices<Sh::Varyings>, Sh: Shader>(
+    fn count<V: Vertices<OnScreen<Sh>>, Sh: Shader>(
         &mut self,
         seen: &Projected<'_, V, Perspective, Sh>,
     ) {

@@ -11,11 +11,11 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{Pose, Projection, S4, S8, ScreenVertex, Subpixel},
-    numbers::{Angle, Rotation, Vec3},
+    geometry::{Pose, Projection, ScreenVertex},
+    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    output::{Bands, Frame, Rgb565Be},
     scene::{Object, bin_words},
-    shade::{Flat, Gouraud, Light, Shader},
-    target::{Bands, Frame, Rgb565Be},
+    shade::{Flat, Gouraud, Light, OnScreen, Shader},
 };
 
 use crate::{bench::sun, console, cost::fail, memory::Memory, models};
@@ -104,7 +104,7 @@ fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
     memory: &mut Memory<PIXELS>,
 ) -> u32 {
     let Memory { color, depth } = memory;
-    let mut vertices = [ScreenVertex::<S, u16, Sh::Varyings>::EMPTY; VERTICES];
+    let mut vertices = [ScreenVertex::<S, u16, OnScreen<Sh>>::EMPTY; VERTICES];
     let seen = object.project(camera, &mut vertices).unwrap_or_else(fail);
     let mut frame = Frame::new(color, depth, AREA).unwrap_or_else(fail);
     frame.clear(BACKGROUND.into());
@@ -115,15 +115,17 @@ fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
     let mut bands =
         Bands::new(AREA, &mut color[..pixels], &mut depth[..pixels]).unwrap_or_else(fail);
     let mut bins = [0; bin_words(TRIANGLES, SIDE, ROWS)];
+    let background =
+        |band: &mut Frame<'_, Rgb565Be, &mut [u16]>| band.clear_color(BACKGROUND.into());
     let mut display = Hashing(0);
     let binned = seen.binned(ROWS, &mut bins).unwrap_or_else(fail);
-    let Ok(()) = bands.show(&mut display, BACKGROUND.into(), |band| binned.draw(band));
+    let Ok(()) = bands.show(&mut display, background, |band| binned.draw(band));
     assert_eq!(whole, display.0, "bands differ from the whole frame");
 
     let mut display = Hashing(0);
-    let walked = object.walk(camera, S::default()).unwrap_or_else(fail);
+    let walked = object.project_on_demand(camera, S::default()).unwrap_or_else(fail);
     let walked = walked.binned(ROWS, &mut bins).unwrap_or_else(fail);
-    let Ok(()) = bands.show(&mut display, BACKGROUND.into(), |band| walked.draw(band));
+    let Ok(()) = bands.show(&mut display, background, |band| walked.draw(band));
     assert_eq!(whole, display.0, "without storage for vertices the frame differs");
     whole
 }

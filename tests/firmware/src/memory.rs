@@ -3,7 +3,7 @@
 use core::cell::RefCell;
 
 use critical_section::Mutex;
-use rasterizer::target::Rgb565Be;
+use rasterizer::output::Rgb565Be;
 
 /// Colour and depth of so many pixels.
 #[derive(Debug)]

@@ -4,9 +4,10 @@ use core::{convert::Infallible, hint::black_box, marker::PhantomData};
 
 use embedded_graphics_core::primitives::Rectangle;
 use rasterizer::{
-    geometry::{DepthFormat, Subpixel, Varyings},
-    raster::{Interpolate, Layout, Triangle, Window},
-    target::{Rgb565Be, Target},
+    attribute::DepthFormat,
+    output::{Rgb565Be, Target},
+    raster::{FragmentOf, Layout, Primitive, Window},
+    shade::Outcome,
 };
 
 /// Takes the spans of an area, complete with their attributes, and draws none of them.
@@ -24,7 +25,7 @@ impl<D> Nothing<D> {
     }
 }
 
-impl<D: DepthFormat + Interpolate> Target for Nothing<D> {
+impl<D: DepthFormat> Target for Nothing<D> {
     type Color = Rgb565Be;
     type Depth = D;
     type Error = Infallible;
@@ -34,13 +35,13 @@ impl<D: DepthFormat + Interpolate> Target for Nothing<D> {
     }
 
     #[inline(never)]
-    fn shade<S: Subpixel, V: Varyings + Interpolate>(
+    fn shade<Q: Primitive<Depth = D>, O: Outcome<Rgb565Be>>(
         &mut self,
-        triangle: Triangle<'_, S, D, V>,
+        primitive: &Q,
         window: &Window,
-        _: impl FnMut(V::Sample) -> Rgb565Be,
+        _: impl FnMut(FragmentOf<Q>) -> O,
     ) -> Result<(), Infallible> {
-        triangle.for_each_span(window, LAYOUT, |span| {
+        primitive.for_each_span(window, LAYOUT, |span| {
             // Nobody looks at the span; the compiler must not know.
             black_box(span);
             Ok(())

@@ -29,6 +29,6 @@ pub fn show<T: DrawTarget<Color = Rgb565>>(display: &mut T, turn: Angle) -> Resu
     let seen = rocket.project(&camera, &mut vertices).unwrap();
     let seen = seen.binned(ROWS, &mut bins).unwrap();
     let mut bands = Bands::new(SCREEN, &mut color, &mut depth).unwrap();
-    bands.show(display, Rgb565::BLACK, |band| seen.draw(band))
+    bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band))
 }
 // README

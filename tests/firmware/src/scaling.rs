@@ -2,12 +2,12 @@
 
 use rasterizer::{
     camera::Camera,
-    geometry::{Pose, S4, S8, ScreenVertex, Subpixel},
+    geometry::{Pose, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation},
+    numbers::{Angle, Rotation, S4, S8, Subpixel},
+    output::Rgb565Be,
     scene::Object,
     shade::Gouraud,
-    target::Rgb565Be,
 };
 
 use crate::{

@@ -10,15 +10,13 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
+    attribute::{DepthFormat, Interpolate, NoDepth, Varyings},
     camera::Camera,
-    geometry::{
-        Clipping, Culling, DepthFormat, NoDepth, Pose, Projection, ScreenVertex, Subpixel, Varyings,
-    },
-    numbers::{Angle, Rotation, Vec3},
-    raster::Interpolate,
-    scene::Object,
+    geometry::{Pose, Projection, ScreenVertex},
+    numbers::{Angle, Rotation, Subpixel, Vec3},
+    output::{BandAreas, Direct, Frame, Replace, StoredDepth},
+    scene::{Mode, Object},
     shade::Shader,
-    target::{BandAreas, Direct, Frame, StoredDepth},
 };
 
 use super::Display;
@@ -74,7 +72,7 @@ pub struct Bands<S, D, V, const PIXELS: usize, const VERTICES: usize> {
     vertices: [ScreenVertex<S, D, V>; VERTICES],
 }
 
-impl<S: Subpixel, D: DepthFormat, V: Varyings, const PIXELS: usize, const VERTICES: usize>
+impl<S: Subpixel, D: DepthFormat, V: Interpolate, const PIXELS: usize, const VERTICES: usize>
     Bands<S, D, V, PIXELS, VERTICES>
 {
     pub(super) const EMPTY: Self = Self {
@@ -90,17 +88,16 @@ impl<S, D, V, const PIXELS: usize, const VERTICES: usize> Bands<S, D, V, PIXELS,
 where
     S: Subpixel,
     D: StoredDepth,
-    V: Varyings + Interpolate,
+    V: Varyings<OnScreen = V> + Interpolate,
 {
     /// Projects the object's vertices once, and draws it into each band.
     pub(super) fn draw<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings = V>,
-        K: Culling,
-        L: Clipping,
+        M: Mode<Blending = Replace>,
     >(
         &mut self,
-        object: &Object<'_, Sh, K, L>,
+        object: &Object<'_, Sh, M>,
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {
@@ -118,12 +115,11 @@ where
     pub(super) fn draw_binned<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings = V>,
-        K: Culling,
-        L: Clipping,
+        M: Mode<Blending = Replace>,
     >(
         &mut self,
         bins: &mut [u32],
-        object: &Object<'_, Sh, K, L>,
+        object: &Object<'_, Sh, M>,
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {
@@ -142,17 +138,16 @@ where
 impl<S, V, const PIXELS: usize, const VERTICES: usize> Bands<S, NoDepth, V, PIXELS, VERTICES>
 where
     S: Subpixel,
-    V: Varyings + Interpolate,
+    V: Varyings<OnScreen = V> + Interpolate,
 {
     /// The same without depth.
     pub(super) fn draw_without_depth<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings = V>,
-        K: Culling,
-        L: Clipping,
+        M: Mode<Blending = Replace>,
     >(
         &mut self,
-        object: &Object<'_, Sh, K, L>,
+        object: &Object<'_, Sh, M>,
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {
@@ -170,11 +165,10 @@ where
     pub(super) fn draw_directly<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings = V>,
-        K: Culling,
-        L: Clipping,
+        M: Mode<Blending = Replace>,
     >(
         &mut self,
-        object: &Object<'_, Sh, K, L>,
+        object: &Object<'_, Sh, M>,
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {

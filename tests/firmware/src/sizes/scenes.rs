@@ -8,15 +8,14 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
+    attribute::NoDepth,
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{
-        ClipAll, ClipNone, Clipping, CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel,
-    },
+    geometry::{ClipAll, ClipNone, Clipping, CullNone, Projection, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, Vec3},
+    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    output::{BandAreas, Frame, StoredDepth},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Unlit},
-    target::{BandAreas, Frame, StoredDepth},
 };
 
 use super::{

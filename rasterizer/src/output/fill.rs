@@ -1,11 +1,11 @@
 //! Runs of pixels of one colour.
 
-use core::hint::black_box;
-
 use bytemuck::Pod;
 
-use super::depth::roll;
-use crate::numbers::{HAS_UNALIGNED_WORDS, IS_NARROW};
+use crate::numbers::{
+    HAS_UNALIGNED_WORDS, IS_NARROW,
+    codegen::{self, keep_rolled},
+};
 
 /// A colour, ready to be stored many times.
 pub trait Fill<C> {
@@ -20,15 +20,14 @@ pub trait Fill<C> {
 #[derive(Clone, Copy, Debug)]
 pub struct PixelFill<C> {
     color: C,
-    /// Twice the colour, without the compiler's knowing that they are equal: it copies them at
-    /// once then, which for 16 bits each is one word.
+    /// The colour twice. Opaque to the compiler, so that two 16-bit pixels are stored as one word.
     pair: [C; 2],
 }
 
 impl<C: Copy> Fill<C> for PixelFill<C> {
     #[inline(always)]
     fn new(color: C) -> Self {
-        Self { color, pair: black_box([color; 2]) }
+        Self { color, pair: codegen::unknown([color; 2]) }
     }
 
     #[inline(always)]
@@ -36,12 +35,12 @@ impl<C: Copy> Fill<C> for PixelFill<C> {
         // As many as the shortest instructions of ARMv6-M reach from one address.
         let (blocks, rest) = pixels.as_chunks_mut::<32>();
         for block in blocks {
-            roll();
+            keep_rolled();
             self.block(block);
         }
         if rest.len() < 16 {
             for pixel in rest {
-                roll();
+                keep_rolled();
                 *pixel = self.color;
             }
             return;
@@ -53,7 +52,7 @@ impl<C: Copy> Fill<C> for PixelFill<C> {
         if let Some(last) = rest.last_chunk_mut::<16>() {
             // Addressed from its own start: the shortest instructions do not reach backwards from
             // the end of the rest.
-            self.block(black_box(last));
+            self.block(codegen::rebased(last));
         }
     }
 }
@@ -93,7 +92,8 @@ impl<C: Pod> Fill<C> for WordFill<C> {
 
     #[inline(always)]
     fn run(&self, pixels: &mut [C]) {
-        // The first and the last pixel may be half a word: they are set whether they are or not.
+        // The first and last pixel may lie in the middle of a word, so both are always stored on
+        // their own.
         let before = pixels.as_ptr().addr() / 2 % 2;
         if let Some(first) = pixels.first_mut() {
             *first = self.color;
@@ -116,7 +116,7 @@ impl<C: Pod> Fill<C> for WordFill<C> {
 fn fill_words(words: &mut [u32], value: u32) {
     if words.len() < 8 {
         for word in words {
-            roll();
+            keep_rolled();
             *word = value;
         }
         return;
@@ -124,7 +124,7 @@ fn fill_words(words: &mut [u32], value: u32) {
     let mut rest = &mut *words;
     // As many as the shortest instructions of ARMv6-M reach from one address.
     while let Some(block) = rest.split_off_mut(..32) {
-        roll();
+        keep_rolled();
         block.fill(value);
     }
     if let Some(block) = rest.split_off_mut(..16) {
@@ -136,7 +136,7 @@ fn fill_words(words: &mut [u32], value: u32) {
     // A block that may overlap, rather than the rest word by word.
     if let Some(last) = words.last_chunk_mut::<8>() {
         // Addressed from its own start where a core does not reach backwards from the end.
-        let last = if IS_NARROW { black_box(last) } else { last };
+        let last = if IS_NARROW { codegen::rebased(last) } else { last };
         *last = [value; 8];
     }
 }

@@ -1,8 +1,6 @@
-//! A run of covered pixels in one row, and who takes it.
+//! Which pixels are drawn, and where they lie in memory.
 
 use embedded_graphics_core::primitives::Rectangle;
-
-use super::Interpolate;
 
 /// A half-open rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,40 +46,21 @@ impl Window {
     }
 }
 
-/// Where the pixels of a window lie in a row of addresses: at `row * pitch + column - origin`,
-/// which is never negative.
+/// Where pixels lie in a row of addresses: at `row * pitch + column - origin`. No pixel of a window
+/// that is drawn has a negative address.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Layout {
     /// The addresses from a row to the next.
     pub pitch: i32,
-    /// What the addresses of the display's first pixel lie before address 0.
+    /// The distance of the display's first pixel before address 0.
     pub origin: i32,
 }
 
 impl Layout {
     /// The address of a row's column 0.
     #[inline(always)]
-    pub(super) const fn row_address(&self, row: i32) -> i32 {
+    #[must_use]
+    pub const fn row_address(&self, row: i32) -> i32 {
         row.wrapping_mul(self.pitch).wrapping_sub(self.origin)
     }
-}
-
-/// Covered pixels of one row, with the attributes at the first one's centre and their change from
-/// pixel to pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span<D: Interpolate, V: Interpolate> {
-    /// The row, from the display's upper edge.
-    pub row: i32,
-    /// The first pixel's address.
-    pub start: usize,
-    /// The address after the last pixel's; always beyond `start`.
-    pub end: usize,
-    /// The depth at the first pixel.
-    pub depth: D::Accumulator,
-    /// The change of depth from a pixel to the one on its right.
-    pub depth_step: D::Accumulator,
-    /// The varyings at the first pixel.
-    pub varyings: V::Accumulator,
-    /// The change of the varyings from a pixel to the one on its right.
-    pub varyings_step: V::Accumulator,
 }

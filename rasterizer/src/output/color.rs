@@ -1,8 +1,8 @@
 //! What the memory of a frame holds.
 
 use embedded_graphics_core::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, PixelColor, Rgb555, Rgb565,
-    Rgb666, Rgb888,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, Rgb555, Rgb565, Rgb666,
+    Rgb888,
 };
 
 use super::{Fill, PixelFill};
@@ -37,7 +37,7 @@ use super::{Fill, PixelFill};
 ///
 /// One of 16 bits that is plain data, and aligned like a `u16`, takes [`WordFill`](super::WordFill)
 /// instead.
-pub trait StoredColor: PixelColor {
+pub trait StoredColor: Copy {
     /// How runs of pixels are set to it.
     type Fill: Fill<Self>;
 }

@@ -1,6 +1,7 @@
 //! What a projection is in integers: the divisor w, and depth.
 
 use crate::{
+    attribute::InverseW,
     camera::{Orthographic, Perspective},
     numbers::{Float, Reciprocal, mul_high_unsigned},
 };
@@ -52,6 +53,9 @@ pub trait Lens: Copy + core::fmt::Debug {
 
     /// Depth in Q0.32.
     fn depth(&self, z: i32, reciprocal: Reciprocal) -> u32;
+
+    /// near / w, by 1 / 2 w.
+    fn inverse_w(&self, reciprocal: Reciprocal) -> InverseW;
 }
 
 /// Coordinates stay below 2^30, so that sums and differences of two of them fit.
@@ -116,6 +120,12 @@ impl Lens for PerspectiveLens {
         // zeros than the near plane.
         let down = self.down - reciprocal.leading_zeros;
         ((reciprocal.mantissa as u32) << 1) >> down.min(31)
+    }
+
+    /// w is z.
+    #[inline(always)]
+    fn inverse_w(&self, reciprocal: Reciprocal) -> InverseW {
+        InverseW::from_bits(self.depth(0, reciprocal))
     }
 }
 
@@ -184,5 +194,10 @@ impl Lens for OrthographicLens {
         let way = (self.far.wrapping_sub(z).max(0) as u32) << self.range.leading_zeros;
         let quotient = mul_high_unsigned(way, (self.range.mantissa as u32) << 1);
         if quotient >> 31 == 0 { quotient << 1 } else { u32::MAX }
+    }
+
+    #[inline(always)]
+    fn inverse_w(&self, _: Reciprocal) -> InverseW {
+        InverseW::ONE
     }
 }

@@ -1,0 +1,148 @@
+//! How depth is kept.
+
+use fixed::types::U0F32;
+
+use super::{Interpolate, Piece, Plane, QuickGradients, TriangleSetup, Whole};
+use crate::numbers::Subpixel;
+
+/// How depth is stored: `u16`, `u32`, or not at all.
+///
+/// Depth is near / w (in a parallel projection the remaining part of the way to the far plane): 1
+/// on the near plane, larger is nearer, and a buffer is cleared to 0. It is linear in screen space.
+pub trait DepthFormat: Interpolate<Walk = <Self as Interpolate>::Accumulator> {
+    /// The depth of a vertex from Q0.32. It is never 0, so that everything in front of the far
+    /// plane wins against a cleared buffer.
+    fn from_fraction(q32: u32) -> Self;
+
+    /// The depth as a fraction; 0 if none is kept.
+    fn to_fraction(self) -> U0F32;
+
+    /// The depth at a pixel, rounded to the nearest unit.
+    fn at(value: Self::Accumulator) -> Self;
+
+    /// Whether it is nearer than what is stored, or none is kept.
+    fn is_nearer(self, stored: Self) -> bool;
+}
+
+/// Units of 1 / 65,536, rounded to the nearest; 1 is stored as 65,535.
+impl DepthFormat for u16 {
+    #[inline(always)]
+    fn from_fraction(q32: u32) -> Self {
+        // Up to 2^16.
+        let rounded = ((q32 >> 15) + 1) >> 1;
+        (rounded - (rounded >> 16)).max(1) as Self
+    }
+
+    #[inline(always)]
+    fn to_fraction(self) -> U0F32 {
+        U0F32::from_bits(u32::from(self) << 16)
+    }
+
+    #[inline(always)]
+    fn at(value: u32) -> Self {
+        (value >> 16) as Self
+    }
+
+    #[inline(always)]
+    fn is_nearer(self, stored: Self) -> bool {
+        self > stored
+    }
+}
+
+/// Units of 2<sup>-32</sup>; 1 is stored as 2<sup>32</sup> - 1. The reciprocal behind a vertex's
+/// depth is within 2<sup>-27</sup> of it, so that the last five bits tell neighbouring pixels of
+/// one surface apart, not two surfaces.
+impl DepthFormat for u32 {
+    #[inline(always)]
+    fn from_fraction(q32: u32) -> Self {
+        q32.max(1)
+    }
+
+    #[inline(always)]
+    fn to_fraction(self) -> U0F32 {
+        U0F32::from_bits(self)
+    }
+
+    #[inline(always)]
+    fn at(value: u64) -> Self {
+        Self::sample(value)
+    }
+
+    #[inline(always)]
+    fn is_nearer(self, stored: Self) -> bool {
+        self > stored
+    }
+}
+
+/// No depth: for a convex body whose back faces are culled, or triangles drawn from back to front.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct NoDepth;
+
+impl DepthFormat for NoDepth {
+    #[inline(always)]
+    fn from_fraction(_: u32) -> Self {
+        Self
+    }
+
+    #[inline(always)]
+    fn to_fraction(self) -> U0F32 {
+        U0F32::ZERO
+    }
+
+    #[inline(always)]
+    fn at((): ()) -> Self {
+        Self
+    }
+
+    #[inline(always)]
+    fn is_nearer(self, _: Self) -> bool {
+        true
+    }
+}
+
+impl Interpolate for NoDepth {
+    const ZERO: Self = Self;
+
+    type Accumulator = ();
+    type Walk = ();
+    type Rest = Whole<()>;
+    type Sample = ();
+
+    #[inline(always)]
+    fn plane<S: Subpixel>(
+        _: &TriangleSetup<S>,
+        _: Option<QuickGradients>,
+        _: [Self; 3],
+    ) -> Plane<()> {
+        Plane { anchor: (), per_column: (), per_row: () }
+    }
+
+    #[inline(always)]
+    fn walk((): (), (): (), pixels: usize) -> (Piece<()>, Whole<()>) {
+        (Piece { first: (), step: (), pixels }, core::iter::empty())
+    }
+
+    #[inline(always)]
+    fn sample((): ()) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn depth_is_never_zero_and_never_wraps() {
+        assert_eq!(u16::from_fraction(0), 1);
+        assert_eq!(u16::from_fraction(u32::MAX), 65_535);
+        assert_eq!(u16::from_fraction(0x1234_7FFF), 0x1234);
+        assert_eq!(u16::from_fraction(0x1234_8000), 0x1235);
+        assert_eq!(u32::from_fraction(0), 1);
+    }
+
+    #[test]
+    fn a_stored_depth_is_a_fraction_again() {
+        assert_eq!(0x1234u16.to_fraction(), U0F32::from_bits(0x1234_0000));
+        assert_eq!(0x1234_5678u32.to_fraction(), U0F32::from_bits(0x1234_5678));
+        assert_eq!(NoDepth.to_fraction(), 0);
+    }
+}

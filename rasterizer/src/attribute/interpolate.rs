@@ -1,0 +1,274 @@
+//! The numbers of a vertex on the screen, on their way to a pixel.
+
+use super::{Plane, QuickGradients, TriangleSetup};
+use crate::numbers::Subpixel;
+
+/// A running value that is stepped from pixel to pixel, modulo its width.
+///
+/// Gradients of slivers can be astronomical. They wrap, and at a covered centre the value is back
+/// between those of the corners.
+pub trait Step: Copy {
+    /// No change.
+    const ZERO: Self;
+
+    /// This and `change`, modulo the width.
+    #[must_use]
+    fn wrapping_add(self, change: Self) -> Self;
+
+    /// `count` times this, modulo the width.
+    #[must_use]
+    fn wrapping_mul(self, count: i32) -> Self;
+}
+
+impl Step for u32 {
+    const ZERO: Self = 0;
+
+    #[inline(always)]
+    fn wrapping_add(self, change: Self) -> Self {
+        self.wrapping_add(change)
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, count: i32) -> Self {
+        self.wrapping_mul(count as Self)
+    }
+}
+
+impl Step for u64 {
+    const ZERO: Self = 0;
+
+    #[inline(always)]
+    fn wrapping_add(self, change: Self) -> Self {
+        self.wrapping_add(change)
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, count: i32) -> Self {
+        self.wrapping_mul(i64::from(count) as Self)
+    }
+}
+
+impl Step for () {
+    const ZERO: Self = ();
+
+    #[inline(always)]
+    fn wrapping_add(self, (): Self) -> Self {}
+
+    #[inline(always)]
+    fn wrapping_mul(self, _: i32) -> Self {}
+}
+
+impl<T: Step, const N: usize> Step for [T; N] {
+    const ZERO: Self = [T::ZERO; N];
+
+    #[inline(always)]
+    fn wrapping_add(self, change: Self) -> Self {
+        core::array::from_fn(|i| self[i].wrapping_add(change[i]))
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, count: i32) -> Self {
+        self.map(|a| a.wrapping_mul(count))
+    }
+}
+
+impl<A: Step, B: Step> Step for (A, B) {
+    const ZERO: Self = (A::ZERO, B::ZERO);
+
+    #[inline(always)]
+    fn wrapping_add(self, change: Self) -> Self {
+        (self.0.wrapping_add(change.0), self.1.wrapping_add(change.1))
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, count: i32) -> Self {
+        (self.0.wrapping_mul(count), self.1.wrapping_mul(count))
+    }
+}
+
+/// Pixels of a span along which a value changes by the same step from each to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Piece<W> {
+    /// The value at the first pixel's centre.
+    pub first: W,
+    /// Its change from a pixel to the one on its right.
+    pub step: W,
+    /// The number of pixels, at least 1.
+    pub pixels: usize,
+}
+
+impl<W: Step> Piece<W> {
+    /// Without its first `count` pixels, at most all of them.
+    #[inline(always)]
+    fn skip(self, count: usize) -> Self {
+        Self {
+            first: self.first.wrapping_add(self.step.wrapping_mul(count as i32)),
+            pixels: self.pixels - count,
+            ..self
+        }
+    }
+}
+
+/// The pieces after the first one, of a value whose first piece is the whole span.
+pub type Whole<W> = core::iter::Empty<Piece<W>>;
+
+/// A number, or several, that can be interpolated over a triangle.
+///
+/// From row to row the exact plane over the screen is stepped (`Accumulator`), along a span what
+/// comes out of it (`Walk`). For a linear number both are the same, and a span is one piece. A
+/// number that is divided at every N-th pixel and stepped linearly between has several.
+pub trait Interpolate: Copy {
+    /// The value of a vertex that has none yet.
+    const ZERO: Self;
+
+    /// What is stepped from row to row.
+    type Accumulator: Step;
+    /// What is stepped from pixel to pixel.
+    type Walk: Step;
+    /// The pieces of a span after its first one.
+    type Rest: Iterator<Item = Piece<Self::Walk>>;
+    /// What a shader sees of it.
+    type Sample: Copy;
+
+    /// The plane through the values at a triangle's corners; without `quick` its gradients are
+    /// divided exactly.
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        corners: [Self; 3],
+    ) -> Plane<Self::Accumulator>;
+
+    /// The first piece of a span of `pixels`, at least 1, and the pieces after it.
+    fn walk(
+        first: Self::Accumulator,
+        step: Self::Accumulator,
+        pixels: usize,
+    ) -> (Piece<Self::Walk>, Self::Rest);
+
+    /// The value as a shader sees it.
+    fn sample(value: Self::Walk) -> Self::Sample;
+}
+
+/// Linear numbers of one type.
+impl<A, const N: usize> Interpolate for [A; N]
+where
+    A: Interpolate<Walk = <A as Interpolate>::Accumulator, Rest = Whole<<A as Interpolate>::Walk>>,
+{
+    const ZERO: Self = [A::ZERO; N];
+
+    type Accumulator = [A::Accumulator; N];
+    type Walk = Self::Accumulator;
+    type Rest = Whole<Self::Walk>;
+    type Sample = [A::Sample; N];
+
+    #[inline(always)]
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        [a, b, c]: [Self; 3],
+    ) -> Plane<Self::Accumulator> {
+        let mut all = Plane::<Self::Accumulator> {
+            anchor: Step::ZERO,
+            per_column: Step::ZERO,
+            per_row: Step::ZERO,
+        };
+        // codegen: a loop, because a closure of `from_fn` is called, with the set-up in memory.
+        for i in 0..N {
+            let plane = A::plane(setup, quick, [a[i], b[i], c[i]]);
+            (all.anchor[i], all.per_column[i], all.per_row[i]) =
+                (plane.anchor, plane.per_column, plane.per_row);
+        }
+        all
+    }
+
+    #[inline(always)]
+    fn walk(
+        first: Self::Accumulator,
+        step: Self::Accumulator,
+        pixels: usize,
+    ) -> (Piece<Self::Walk>, Self::Rest) {
+        (Piece { first, step, pixels }, core::iter::empty())
+    }
+
+    #[inline(always)]
+    fn sample(value: Self::Walk) -> Self::Sample {
+        value.map(A::sample)
+    }
+}
+
+/// Numbers of two types, each in its own pieces.
+impl<A: Interpolate, B: Interpolate> Interpolate for (A, B) {
+    const ZERO: Self = (A::ZERO, B::ZERO);
+
+    type Accumulator = (A::Accumulator, B::Accumulator);
+    type Walk = (A::Walk, B::Walk);
+    type Rest = Both<A, B>;
+    type Sample = (A::Sample, B::Sample);
+
+    #[inline(always)]
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        [a, b, c]: [Self; 3],
+    ) -> Plane<Self::Accumulator> {
+        let one = A::plane(setup, quick, [a.0, b.0, c.0]);
+        let other = B::plane(setup, quick, [a.1, b.1, c.1]);
+        Plane {
+            anchor: (one.anchor, other.anchor),
+            per_column: (one.per_column, other.per_column),
+            per_row: (one.per_row, other.per_row),
+        }
+    }
+
+    #[inline(always)]
+    fn walk(
+        first: Self::Accumulator,
+        step: Self::Accumulator,
+        pixels: usize,
+    ) -> (Piece<Self::Walk>, Both<A, B>) {
+        let (one, one_rest) = A::walk(first.0, step.0, pixels);
+        let (other, other_rest) = B::walk(first.1, step.1, pixels);
+        let mut rest = Both { one, one_rest, other, other_rest };
+        (rest.cut(), rest)
+    }
+
+    #[inline(always)]
+    fn sample((one, other): Self::Walk) -> Self::Sample {
+        (A::sample(one), B::sample(other))
+    }
+}
+
+/// The pieces of two numbers, cut where either's end.
+#[derive(Debug)]
+pub struct Both<A: Interpolate, B: Interpolate> {
+    one: Piece<A::Walk>,
+    one_rest: A::Rest,
+    other: Piece<B::Walk>,
+    other_rest: B::Rest,
+}
+
+impl<A: Interpolate, B: Interpolate> Both<A, B> {
+    /// Takes off the pixels that both pieces have in common.
+    #[inline(always)]
+    fn cut(&mut self) -> Piece<(A::Walk, B::Walk)> {
+        let (one, other) = (self.one, self.other);
+        let pixels = one.pixels.min(other.pixels);
+        (self.one, self.other) = (one.skip(pixels), other.skip(pixels));
+        Piece { first: (one.first, other.first), step: (one.step, other.step), pixels }
+    }
+}
+
+impl<A: Interpolate, B: Interpolate> Iterator for Both<A, B> {
+    type Item = Piece<(A::Walk, B::Walk)>;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.one.pixels == 0 {
+            self.one = self.one_rest.next()?;
+        }
+        if self.other.pixels == 0 {
+            self.other = self.other_rest.next()?;
+        }
+        Some(self.cut())
+    }
+}

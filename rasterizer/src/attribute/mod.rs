@@ -1,0 +1,26 @@
+//! What a vertex carries besides its place: depth and varyings, and how they are interpolated.
+//!
+//! ```text
+//!   clip space    Varyings: what a shader gives a vertex; linear in space, cut by clipping
+//!        |  on_screen(1 / w), the one hook on the way to the screen
+//!   screen        Interpolate: what ScreenVertex stores
+//!        |  plane, once a triangle: a value at an anchor pixel, its change a column and a row
+//!   span          walk: pieces of equal steps from pixel to pixel
+//!        |  sample, at each visible pixel
+//!   Fragment      what a shader sees
+//! ```
+//!
+//! The type of a number decides how it is interpolated: 16 bits, signed or unsigned, in steps of 32
+//! bits; 32 bits in steps of 64. Arrays are of one type, tuples of several.
+
+mod depth;
+mod integers;
+mod interpolate;
+mod plane;
+mod varyings;
+
+pub use depth::{DepthFormat, NoDepth};
+pub use interpolate::{Interpolate, Piece, Step, Whole};
+pub use plane::{Plane, QuickGradients, TriangleSetup};
+pub(crate) use varyings::lerp;
+pub use varyings::{InverseW, Varyings};

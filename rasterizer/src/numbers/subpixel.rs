@@ -1,0 +1,33 @@
+//! How finely a place on the screen is resolved.
+
+/// How finely a vertex's place on the screen is resolved.
+///
+/// The choice is between [`S4`], whose set-up needs no 64-bit arithmetic, and [`S8`], the precision
+/// of Direct3D 11 (functional specification 3.2.4.1). What a pixel costs is the same.
+pub trait Subpixel: Copy + Default + private::Sealed {
+    /// The binary digits behind the point of a pixel coordinate.
+    const BITS: u32;
+}
+
+mod private {
+    pub trait Sealed {}
+    impl Sealed for super::S4 {}
+    impl Sealed for super::S8 {}
+}
+
+/// Sixteenths of a pixel: a vertex is off by at most 1/32 pixel in x and y. For cores without a
+/// long multiply.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct S4;
+
+/// 256ths of a pixel: a vertex is off by at most 1/512 pixel in x and y.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct S8;
+
+impl Subpixel for S4 {
+    const BITS: u32 = 4;
+}
+
+impl Subpixel for S8 {
+    const BITS: u32 = 8;
+}

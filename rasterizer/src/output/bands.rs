@@ -1,0 +1,236 @@
+//! A part of the display drawn and sent band by band, in memory for one band.
+
+use core::{convert::Infallible, marker::PhantomData, mem};
+
+use embedded_graphics_core::{
+    draw_target::DrawTarget,
+    geometry::{Point, Size},
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+};
+
+use super::{DepthBuffer, Frame, FrameError, StoredColor, StoredDepth, depth::Lent};
+use crate::{attribute::NoDepth, numbers::divide};
+
+/// A rectangle of the display in bands of rows, which are drawn and sent one after the other.
+///
+/// `M` is a band's pixel memory: anything that lends a slice of colours, such as `&mut [C]`,
+/// `&'static mut [C; N]` or a box. The rectangle can be the whole display at first, and afterwards
+/// what changed: the union of [`Projected::bounds`](crate::scene::Projected::bounds) of this frame
+/// and the last.
+///
+/// [`show`](Self::show) draws and sends all of it. A firmware that has other things to do between
+/// two bands takes them one by one, and awaits each transfer in its own way:
+///
+/// ```
+/// # use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
+/// # use rasterizer::prelude::*;
+/// # let screen = Rectangle::new(Point::zero(), Size::new(8, 5));
+/// # let (mut color, mut depth) = ([Rgb565::BLACK; 8 * 2], [0u16; 8 * 2]);
+/// # let mut sent = 0;
+/// let mut bands = Bands::new(screen, &mut color, &mut depth)?;
+/// for area in bands.areas() {
+///     let mut band = bands.band(area)?;
+///     band.clear_color(Rgb565::BLUE);
+///     // Draw objects here.
+///     let pixels = band.pixels();
+///     // Send them, and `.await` the end of the transfer.
+/// #   sent += pixels.len();
+/// }
+/// # assert_eq!(sent, 40);
+/// # Ok::<(), rasterizer::output::FrameError>(())
+/// ```
+#[derive(Debug)]
+pub struct Bands<M, C, B> {
+    areas: BandAreas,
+    color: M,
+    depth: B,
+    pixel: PhantomData<C>,
+}
+
+impl<'d, M: AsMut<[C]>, C: Copy, D: StoredDepth> Bands<M, C, &'d mut [D]> {
+    /// Bands of `area` with a depth buffer of `u16` or `u32`: each has as many rows as both buffers
+    /// hold.
+    ///
+    /// # Errors
+    ///
+    /// If a buffer does not hold a row.
+    pub fn new(area: Rectangle, mut color: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
+        let width = area.size.width as usize;
+        let rows = whole_rows(color.as_mut().len(), &area)
+            .ok_or(FrameError::ColorLength { needed: width })?;
+        let rows = rows
+            .min(whole_rows(depth.len(), &area).ok_or(FrameError::DepthLength { needed: width })?);
+        Ok(Self::over(BandAreas::new(area, rows), color, depth))
+    }
+}
+
+impl<M: AsMut<[C]>, C: Copy> Bands<M, C, NoDepth> {
+    /// Bands of `area` without a depth buffer: each has as many rows as the buffer holds.
+    ///
+    /// # Errors
+    ///
+    /// If the buffer does not hold a row.
+    pub fn without_depth(area: Rectangle, mut color: M) -> Result<Self, FrameError> {
+        let needed = area.size.width as usize;
+        let rows =
+            whole_rows(color.as_mut().len(), &area).ok_or(FrameError::ColorLength { needed })?;
+        Ok(Self::over(BandAreas::new(area, rows), color, NoDepth))
+    }
+}
+
+/// The number of an area's rows that `pixels` pixels hold; `None` if they do not hold one.
+fn whole_rows(pixels: usize, area: &Rectangle) -> Option<u32> {
+    let Size { width, height } = area.size;
+    let rows = if width == 0 { height } else { divide(pixels as u32, width).min(height) };
+    (rows > 0 || area.is_zero_sized()).then_some(rows)
+}
+
+impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
+    const fn over(areas: BandAreas, color: M, depth: B) -> Self {
+        Self { areas, color, depth, pixel: PhantomData }
+    }
+
+    /// The rectangles of the bands, from the top.
+    #[must_use]
+    pub const fn areas(&self) -> BandAreas {
+        self.areas
+    }
+
+    /// A band as a frame: one of [`areas`](Self::areas), or another rectangle that its memory
+    /// holds. Its depth is cleared; its colours are those of the band before.
+    ///
+    /// # Errors
+    ///
+    /// If the memory is too small.
+    // codegen: inlined, because the frame would be copied.
+    #[inline(always)]
+    pub fn band(&mut self, area: Rectangle) -> Result<Frame<'_, C, Lent<'_, B>>, FrameError> {
+        let needed = area.size.width as usize * area.size.height as usize;
+        let color = self.color.as_mut().get_mut(..needed);
+        let color = color.ok_or(FrameError::ColorLength { needed })?;
+        if !self.depth.holds(needed) {
+            return Err(FrameError::DepthLength { needed });
+        }
+        let mut band = Frame::part(color, self.depth.lend(), area, area.size.width);
+        band.clear_depth();
+        Ok(band)
+    }
+
+    /// Gives the bands other memory for their pixels, and returns what they had: with a finished
+    /// band, whose transfer can start, if this is called after drawing it.
+    pub const fn exchange(&mut self, memory: M) -> M {
+        mem::replace(&mut self.color, memory)
+    }
+
+    /// The memory of the pixels.
+    pub fn into_color(self) -> M {
+        self.color
+    }
+}
+
+impl<M: AsMut<[C]>, C: StoredColor + PixelColor, B: DepthBuffer> Bands<M, C, B> {
+    /// Draws all bands, and sends each to the display before the next is drawn.
+    ///
+    /// `background` gets each band first, to set all its colours: `|band| band.clear_color(..)`, or
+    /// an image, a gradient, text. `draw` draws the objects; it cannot fail, because what can fail
+    /// about an object has been done before, by `project` or `project_on_demand`.
+    ///
+    /// # Errors
+    ///
+    /// Returns the display's first error, and draws no band after it.
+    pub fn show<T: DrawTarget<Color = C>>(
+        &mut self,
+        display: &mut T,
+        mut background: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>),
+        mut draw: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>) -> Result<(), Infallible>,
+    ) -> Result<(), T::Error> {
+        for area in self.areas {
+            // The memory holds each of the areas.
+            let Ok(mut band) = self.band(area) else { break };
+            background(&mut band);
+            let Ok(()) = draw(&mut band);
+            band.present(display)?;
+        }
+        Ok(())
+    }
+
+    /// Draws all bands while those that are finished are being sent. `background` and `draw` are
+    /// those of [`show`](Self::show).
+    ///
+    /// `send` receives the memory of a finished band, whose first pixels are those of the
+    /// rectangle. It starts the transfer and returns other memory, whose transfer is complete; the
+    /// next band is drawn into that. The memory that it returned last is the result.
+    ///
+    /// # Errors
+    ///
+    /// Returns the first error of `send`; and an error if memory that it returned is too small for
+    /// the next band.
+    pub fn stream<E>(
+        mut self,
+        mut background: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>),
+        mut draw: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>) -> Result<(), Infallible>,
+        mut send: impl FnMut(M, Rectangle) -> Result<M, E>,
+    ) -> Result<M, StreamError<E>> {
+        for area in self.areas {
+            let mut band = self.band(area).map_err(StreamError::Frame)?;
+            background(&mut band);
+            let Ok(()) = draw(&mut band);
+            drop(band);
+            self.color = send(self.color, area).map_err(StreamError::Send)?;
+        }
+        Ok(self.color)
+    }
+}
+
+/// Why a stream of bands ended; `E` is the transfer's error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum StreamError<E> {
+    /// The memory that the transfer gave is too small.
+    Frame(FrameError),
+    /// The transfer failed.
+    Send(E),
+}
+
+impl<E: core::fmt::Display> core::fmt::Display for StreamError<E> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::Frame(error) => error.fmt(f),
+            Self::Send(error) => error.fmt(f),
+        }
+    }
+}
+
+impl<E: core::error::Error> core::error::Error for StreamError<E> {}
+
+/// The rectangles of bands, from the top: of equal height, the last one what is left.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct BandAreas {
+    rest: Rectangle,
+    rows: u32,
+}
+
+impl BandAreas {
+    /// Of `rows` rows each, at least one.
+    #[must_use]
+    pub const fn new(area: Rectangle, rows: u32) -> Self {
+        Self { rest: area, rows: if rows == 0 { 1 } else { rows } }
+    }
+}
+
+impl Iterator for BandAreas {
+    type Item = Rectangle;
+
+    fn next(&mut self) -> Option<Rectangle> {
+        if self.rest.is_zero_sized() {
+            return None;
+        }
+        let Rectangle { top_left, size } = self.rest;
+        let height = self.rows.min(size.height);
+        self.rest = Rectangle::new(
+            Point::new(top_left.x, top_left.y.saturating_add_unsigned(height)),
+            Size::new(size.width, size.height - height),
+        );
+        Some(Rectangle::new(top_left, Size::new(size.width, height)))
+    }
+}

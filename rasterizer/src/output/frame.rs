@@ -1,0 +1,389 @@
+//! A rectangle of the display in the caller's memory: the whole of it, or a band of rows.
+
+use core::{convert::Infallible, ops::Range};
+
+use embedded_graphics_core::{
+    Pixel,
+    draw_target::DrawTarget,
+    geometry::{Dimensions, Point, Size},
+    pixelcolor::PixelColor,
+    primitives::Rectangle,
+};
+
+use super::{
+    DepthBuffer, Fill, Readable, StoredColor, StoredDepth, Target, fill::fill_all, pixels,
+};
+use crate::{
+    attribute::NoDepth,
+    raster::{FragmentOf, Layout, Primitive, Window},
+    shade::Outcome,
+};
+
+/// Colour and depth of a rectangle of the display, row by row, in memory that the caller owns.
+///
+/// A frame that is only a band of rows gets the same pixels there as one of the whole display.
+///
+/// It is a [`DrawTarget`] too, in the display's coordinates and clipped to its rectangle: text,
+/// primitives and images of embedded-graphics go under the objects or over them. They leave the
+/// depth as it is.
+#[derive(Debug)]
+pub struct Frame<'a, C, B> {
+    color: &'a mut [C],
+    depth: B,
+    area: Rectangle,
+    window: Window,
+    /// An address is an index of the buffers.
+    layout: Layout,
+}
+
+/// Memory of the wrong size.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FrameError {
+    /// The colour buffer must have a pixel for each of the rectangle's.
+    ColorLength {
+        /// The number of pixels that it must have.
+        needed: usize,
+    },
+    /// The depth buffer must have a cell for each of the rectangle's pixels.
+    DepthLength {
+        /// The number of cells that it must have.
+        needed: usize,
+    },
+    /// The stride must be the rectangle's width or more.
+    Stride {
+        /// The rectangle's width in pixels.
+        needed: usize,
+    },
+}
+
+impl core::fmt::Display for FrameError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        match self {
+            Self::ColorLength { needed } => {
+                write!(f, "the colour buffer must have {needed} pixels")
+            }
+            Self::DepthLength { needed } => write!(f, "the depth buffer must have {needed} cells"),
+            Self::Stride { needed } => write!(f, "the stride must be {needed} pixels or more"),
+        }
+    }
+}
+
+impl core::error::Error for FrameError {}
+
+impl<'a, C: Copy, D: StoredDepth> Frame<'a, C, &'a mut [D]> {
+    /// A frame with a depth buffer of `u16` or `u32` for the rectangle `area` of the display.
+    ///
+    /// # Errors
+    ///
+    /// If a slice does not have as many elements as the rectangle has pixels.
+    pub fn new(
+        color: &'a mut [C],
+        depth: &'a mut [D],
+        area: Rectangle,
+    ) -> Result<Self, FrameError> {
+        Self::packed(color, depth, area)
+    }
+
+    /// A frame in a larger buffer, such as a display controller's: its rows begin `stride` pixels
+    /// apart, in `color` and in `depth`. Both begin with the frame's first pixel.
+    ///
+    /// # Errors
+    ///
+    /// If the stride is less than the rectangle's width, or a slice ends before the last pixel.
+    pub fn with_stride(
+        color: &'a mut [C],
+        depth: &'a mut [D],
+        area: Rectangle,
+        stride: u32,
+    ) -> Result<Self, FrameError> {
+        Self::strided(color, depth, area, stride)
+    }
+}
+
+impl<'a, C: Copy> Frame<'a, C, NoDepth> {
+    /// A frame without a depth buffer for the rectangle `area` of the display: what is drawn last
+    /// is seen.
+    ///
+    /// # Errors
+    ///
+    /// If the slice does not have as many elements as the rectangle has pixels.
+    pub fn without_depth(color: &'a mut [C], area: Rectangle) -> Result<Self, FrameError> {
+        Self::packed(color, NoDepth, area)
+    }
+
+    /// A frame without a depth buffer in a larger buffer: its rows begin `stride` pixels apart, the
+    /// first one where `color` does.
+    ///
+    /// # Errors
+    ///
+    /// If the stride is less than the rectangle's width, or the slice ends before the last pixel.
+    pub fn without_depth_with_stride(
+        color: &'a mut [C],
+        area: Rectangle,
+        stride: u32,
+    ) -> Result<Self, FrameError> {
+        Self::strided(color, NoDepth, area, stride)
+    }
+}
+
+impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B> {
+    /// Rows without gaps, in memory of just their size.
+    fn packed(color: &'a mut [C], depth: B, area: Rectangle) -> Result<Self, FrameError> {
+        let Size { width, height } = area.size;
+        let needed = width as usize * height as usize;
+        if color.len() != needed {
+            return Err(FrameError::ColorLength { needed });
+        }
+        if !depth.is_of(needed) {
+            return Err(FrameError::DepthLength { needed });
+        }
+        Ok(Self::part(color, depth, area, width))
+    }
+
+    fn strided(
+        color: &'a mut [C],
+        depth: B,
+        area: Rectangle,
+        stride: u32,
+    ) -> Result<Self, FrameError> {
+        let Size { width, height } = area.size;
+        if stride < width {
+            return Err(FrameError::Stride { needed: width as usize });
+        }
+        let needed = match height.checked_sub(1) {
+            Some(rows) => rows as usize * stride as usize + width as usize,
+            None => 0,
+        };
+        if color.len() < needed {
+            return Err(FrameError::ColorLength { needed });
+        }
+        if !depth.holds(needed) {
+            return Err(FrameError::DepthLength { needed });
+        }
+        let color = color.get_mut(..needed).unwrap_or_default();
+        Ok(Self::part(color, depth, area, stride))
+    }
+
+    /// A frame in memory that is long enough.
+    pub(super) fn part(color: &'a mut [C], depth: B, area: Rectangle, stride: u32) -> Self {
+        let (window, pitch) = (Window::new(&area), stride as i32);
+        let origin = window.top.wrapping_mul(pitch).wrapping_add(window.left);
+        Self { color, depth, area, window, layout: Layout { pitch, origin } }
+    }
+
+    /// Sets the depth of all pixels to the far end, and leaves their colours, for a background that
+    /// is drawn already.
+    pub fn clear_depth(&mut self) {
+        for block in self.blocks() {
+            self.depth.clear(block.pixels);
+        }
+    }
+
+    /// The rectangle of the display that it stands for.
+    #[must_use]
+    pub const fn area(&self) -> Rectangle {
+        self.area
+    }
+
+    /// The pixels, row by row, [`stride`](Self::stride) apart.
+    #[must_use]
+    pub const fn pixels(&self) -> &[C] {
+        self.color
+    }
+
+    /// The pixels, row by row, [`stride`](Self::stride) apart.
+    #[must_use]
+    pub const fn pixels_mut(&mut self) -> &mut [C] {
+        self.color
+    }
+
+    /// The pixels from the beginning of a row to the beginning of the next: the rectangle's width,
+    /// unless the frame lies in a larger buffer.
+    #[must_use]
+    pub const fn stride(&self) -> usize {
+        self.layout.pitch as usize
+    }
+
+    /// The rows, in blocks that have no gap: all of them, or one by one.
+    const fn blocks(&self) -> Blocks {
+        let is_packed = self.layout.pitch as u32 == self.area.size.width;
+        Blocks {
+            rest: self.area,
+            rows: if is_packed { self.area.size.height } else { 1 },
+            start: 0,
+            pitch: self.layout.pitch as usize,
+        }
+    }
+}
+
+/// Rows whose pixels lie in memory one after the other.
+struct Block {
+    area: Rectangle,
+    pixels: Range<usize>,
+}
+
+/// The blocks of a frame, from the top.
+struct Blocks {
+    rest: Rectangle,
+    rows: u32,
+    start: usize,
+    pitch: usize,
+}
+
+impl Iterator for Blocks {
+    type Item = Block;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Block> {
+        let Rectangle { top_left, size } = self.rest;
+        if size.width == 0 || size.height == 0 {
+            return None;
+        }
+        let area = Rectangle::new(top_left, Size::new(size.width, self.rows));
+        let pixels = self.start..self.start + size.width as usize * self.rows as usize;
+        self.rest = Rectangle::new(
+            Point::new(top_left.x, top_left.y.wrapping_add(self.rows as i32)),
+            Size::new(size.width, size.height - self.rows),
+        );
+        self.start += self.pitch;
+        Some(Block { area, pixels })
+    }
+}
+
+impl<C: PixelColor, B: DepthBuffer> Frame<'_, C, B> {
+    /// Sends the pixels to the display: in one run, or row by row if the frame lies in a larger
+    /// buffer.
+    ///
+    /// # Errors
+    ///
+    /// Returns the display's error.
+    pub fn present<T: DrawTarget<Color = C>>(&self, display: &mut T) -> Result<(), T::Error> {
+        for Block { area, pixels } in self.blocks() {
+            let pixels = self.color.get(pixels).unwrap_or_default();
+            display.fill_contiguous(&area, pixels.iter().copied())?;
+        }
+        Ok(())
+    }
+}
+
+impl<C: StoredColor, B: DepthBuffer> Frame<'_, C, B> {
+    /// Sets all pixels to one colour and their depth to the far end.
+    pub fn clear(&mut self, color: C) {
+        self.clear_color(color);
+        self.clear_depth();
+    }
+
+    /// Sets all pixels to one colour, and leaves their depth.
+    pub fn clear_color(&mut self, color: C) {
+        for block in self.blocks() {
+            fill_all(C::Fill::new(color), self.color.get_mut(block.pixels).unwrap_or_default());
+        }
+    }
+
+    /// Draws a primitive's spans in one colour, untested.
+    #[inline(never)]
+    fn fill_runs<Q: Primitive<Depth = B::Format>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        color: C,
+    ) -> Result<(), Infallible> {
+        let fill = C::Fill::new(color);
+        primitive.for_each_span(window, self.layout, |span| {
+            if let Some(pixels) = self.color.get_mut(span.start..span.end) {
+                fill.run(pixels);
+            }
+            Ok(())
+        })
+    }
+}
+
+impl<C: StoredColor, B: DepthBuffer> Target for Frame<'_, C, B> {
+    type Color = C;
+    type Depth = B::Format;
+    type Error = Infallible;
+
+    fn window(&self) -> Window {
+        self.window
+    }
+
+    #[inline(always)]
+    fn shade<Q: Primitive<Depth = Self::Depth>, O: Outcome<C>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        mut pixel: impl FnMut(FragmentOf<Q>) -> O,
+    ) -> Result<(), Infallible> {
+        self.blend(primitive, window, |_, fragment| pixel(fragment))
+    }
+
+    #[inline(always)]
+    fn fill<Q: Primitive<Depth = Self::Depth>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        color: C,
+    ) -> Result<(), Infallible> {
+        if B::IS_STORED {
+            self.shade(primitive, window, |_| color)
+        } else {
+            self.fill_runs(primitive, window, color)
+        }
+    }
+}
+
+impl<C: StoredColor, B: DepthBuffer> Readable for Frame<'_, C, B> {
+    #[inline(never)]
+    fn blend<Q: Primitive<Depth = Self::Depth>, O: Outcome<C>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        pixel: impl FnMut(C, FragmentOf<Q>) -> O,
+    ) -> Result<(), Infallible> {
+        let Self { color, depth, layout, .. } = self;
+        depth.with(|cells| pixels::draw(color, cells, primitive, window, *layout, pixel))
+    }
+}
+
+impl<C, B> Dimensions for Frame<'_, C, B> {
+    fn bounding_box(&self) -> Rectangle {
+        self.area
+    }
+}
+
+impl<C: StoredColor + PixelColor, B: DepthBuffer> DrawTarget for Frame<'_, C, B> {
+    type Color = C;
+    type Error = Infallible;
+
+    fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(Point { x, y }, color) in pixels {
+            let Window { left, top, right, bottom } = self.window;
+            if (left..right).contains(&x) && (top..bottom).contains(&y) {
+                let address = self.layout.row_address(y).wrapping_add(x);
+                if let Some(pixel) = self.color.get_mut(address as usize) {
+                    *pixel = color;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
+        let Window { left, top, right, bottom } = Window::new(area).intersection(&self.window);
+        if left < right {
+            let fill = C::Fill::new(color);
+            for row in top..bottom {
+                let address = self.layout.row_address(row);
+                let run = address.wrapping_add(left) as usize..address.wrapping_add(right) as usize;
+                fill.run(self.color.get_mut(run).unwrap_or_default());
+            }
+        }
+        Ok(())
+    }
+
+    /// Sets all pixels to one colour, and leaves their depth.
+    fn clear(&mut self, color: C) -> Result<(), Infallible> {
+        self.clear_color(color);
+        Ok(())
+    }
+}

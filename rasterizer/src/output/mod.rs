@@ -1,0 +1,90 @@
+//! Where pixels go: into memory, or straight onto a display.
+
+mod bands;
+mod big_endian;
+mod blending;
+mod color;
+mod depth;
+mod direct;
+mod fill;
+mod frame;
+mod pixels;
+
+pub use bands::{BandAreas, Bands, StreamError};
+pub use big_endian::Rgb565Be;
+pub use blending::{Blend, Blending, Replace};
+pub use color::StoredColor;
+pub use depth::{DepthBuffer, StoredDepth};
+pub use direct::Direct;
+pub use fill::{Fill, PixelFill, WordFill};
+pub use frame::{Frame, FrameError};
+
+use crate::{
+    attribute::DepthFormat,
+    raster::{FragmentOf, Primitive, Window},
+    shade::Outcome,
+};
+
+/// What primitives are drawn into.
+pub trait Target {
+    /// The colour of its pixels.
+    type Color: Copy;
+    /// How it keeps depth.
+    type Depth: DepthFormat;
+    /// How drawing into it fails.
+    type Error;
+
+    /// The pixels that it takes.
+    fn window(&self) -> Window;
+
+    /// Draws a primitive's pixels in a part of the window, each in the colour that `pixel` makes of
+    /// its fragment.
+    ///
+    /// # Errors
+    ///
+    /// Returns the target's error.
+    fn shade<Q: Primitive<Depth = Self::Depth>, O: Outcome<Self::Color>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        pixel: impl FnMut(FragmentOf<Q>) -> O,
+    ) -> Result<(), Self::Error>;
+
+    /// Draws a primitive's pixels in a part of the window, all of one colour:
+    /// [`shade`](Self::shade), unless there is a shorter way.
+    ///
+    /// # Errors
+    ///
+    /// Returns the target's error.
+    #[inline(always)]
+    fn fill<Q: Primitive<Depth = Self::Depth>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        color: Self::Color,
+    ) -> Result<(), Self::Error> {
+        self.shade(primitive, window, |_| color)
+    }
+}
+
+/// A target whose pixels can be read, so that something can be blended with them: a [`Frame`], or a
+/// band of [`Bands`].
+#[diagnostic::on_unimplemented(
+    message = "the pixels of `{Self}` cannot be read, so nothing can be blended with them",
+    label = "its pixels cannot be read",
+    note = "a display only takes pixels: blend in a `Frame` or in `Bands`, and send those"
+)]
+pub trait Readable: Target {
+    /// Draws a primitive's pixels in a part of the window, each in the colour that `pixel` makes of
+    /// the stored one and its fragment.
+    ///
+    /// # Errors
+    ///
+    /// Returns the target's error.
+    fn blend<Q: Primitive<Depth = Self::Depth>, O: Outcome<Self::Color>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        pixel: impl FnMut(Self::Color, FragmentOf<Q>) -> O,
+    ) -> Result<(), Self::Error>;
+}

@@ -1,0 +1,50 @@
+//! How an object is drawn: its choices besides mesh, pose and shader.
+
+use crate::{
+    geometry::{ClipAll, Clipping, CullBack, Culling},
+    output::Replace,
+};
+
+/// An object's choices, as one parameter: [`Modes`] of them.
+pub trait Mode: Copy + private::Sealed {
+    /// Which faces are left out.
+    type Culling: Culling;
+    /// What becomes of triangles that reach beyond the near plane, the far plane or the guard band.
+    type Clipping: Clipping;
+    /// How pixels are put onto a target.
+    type Blending: Copy;
+
+    /// How pixels are put onto a target.
+    fn blending(&self) -> Self::Blending;
+}
+
+/// The choices by their values: back faces are culled, triangles are clipped and pixels replaced
+/// unless [`Object`](super::Object)'s methods `culled`, `clipped` and `blended` say otherwise.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Modes<K = CullBack, L = ClipAll, B = Replace> {
+    pub(super) culling: K,
+    pub(super) clipping: L,
+    pub(super) blending: B,
+}
+
+impl Modes {
+    /// Back faces culled, triangles clipped, pixels replaced.
+    pub(super) const DEFAULT: Self =
+        Self { culling: CullBack, clipping: ClipAll, blending: Replace };
+}
+
+impl<K: Culling, L: Clipping, B: Copy> Mode for Modes<K, L, B> {
+    type Culling = K;
+    type Clipping = L;
+    type Blending = B;
+
+    #[inline(always)]
+    fn blending(&self) -> B {
+        self.blending
+    }
+}
+
+mod private {
+    pub trait Sealed {}
+    impl<K, L, B> Sealed for super::Modes<K, L, B> {}
+}
