@@ -11,10 +11,10 @@ use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{Pose, S4, ScreenVertex},
-    mesh::{Material, Mesh, Tables, Triangles},
+    mesh::{Material, Mesh, MeshVertex, Positions, Tables, Triangles},
     numbers::{Angle, Rotation, Scale, Vec3},
     scene::Object,
-    shade::{MeshVertex, Shader},
+    shade::Shader,
     target::Frame,
 };
 
@@ -41,7 +41,7 @@ const END: i16 = 32_767;
 
 /// A cube two units wide. Three bits of a vertex's number say on which side of x, y and z it lies.
 static CUBE: Mesh<'static> = Mesh::new_const(Tables {
-    positions: &[
+    positions: Positions::I16(&[
         [-END, -END, -END],
         [END, -END, -END],
         [-END, END, -END],
@@ -50,13 +50,8 @@ static CUBE: Mesh<'static> = Mesh::new_const(Tables {
         [END, -END, END],
         [-END, END, END],
         [END, END, END],
-    ],
+    ]),
     scale: Scale::new(1, -15),
-    offset: Vec3::ZERO,
-    vertex_normals: &[],
-    face_normals: &[],
-    texture_coordinates: &[],
-    texture_fraction_bits: 0,
     triangles: Triangles::U8(&[
         [4, 5, 7],
         [4, 7, 6],
@@ -71,10 +66,8 @@ static CUBE: Mesh<'static> = Mesh::new_const(Tables {
         [0, 1, 5],
         [0, 5, 4],
     ]),
-    materials: &[
-        Material { color: [255, 0, 0], triangle_count: 4 },
-        Material { color: [120, 0, 0], triangle_count: 8 },
-    ],
+    materials: &[Material::new([255, 0, 0], 4), Material::new([120, 0, 0], 8)],
+    ..Tables::EMPTY
 });
 
 const WIDTH: u32 = 64;

@@ -13,21 +13,16 @@
 //! ```
 //! use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 //! use rasterizer::{
-//!     mesh::{Material, Mesh, Tables, Triangles},
-//!     numbers::{Scale, Vec3},
+//!     mesh::{Material, Mesh, Positions, Tables, Triangles},
+//!     numbers::Vec3,
 //!     prelude::*,
 //! };
 //!
 //! static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
-//!     positions: &[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
-//!     scale: Scale::ONE,
-//!     offset: Vec3::ZERO,
-//!     vertex_normals: &[],
-//!     face_normals: &[],
-//!     texture_coordinates: &[],
-//!     texture_fraction_bits: 16,
+//!     positions: Positions::I16(&[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]),
 //!     triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
-//!     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
+//!     materials: &[Material::new([255, 160, 0], 2)],
+//!     ..Tables::EMPTY
 //! });
 //!
 //! // In constants, so that the texts are read by the compiler.
@@ -76,20 +71,15 @@
 //! ```
 //! # use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 //! # use rasterizer::{
-//! #     mesh::{Material, Mesh, Tables, Triangles},
-//! #     numbers::{Scale, Vec3},
+//! #     mesh::{Material, Mesh, Positions, Tables, Triangles},
+//! #     numbers::Vec3,
 //! #     prelude::*,
 //! # };
 //! # static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
-//! #     positions: &[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
-//! #     scale: Scale::ONE,
-//! #     offset: Vec3::ZERO,
-//! #     vertex_normals: &[],
-//! #     face_normals: &[],
-//! #     texture_coordinates: &[],
-//! #     texture_fraction_bits: 16,
+//! #     positions: Positions::I16(&[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]),
 //! #     triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
-//! #     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
+//! #     materials: &[Material::new([255, 160, 0], 2)],
+//! #     ..Tables::EMPTY
 //! # });
 //! # let screen = Rectangle::new(Point::zero(), Size::new(16, 8));
 //! # let lens = Perspective::new(Angle::degrees(40), Distance::lit("0.1"), Distance::lit("10"))?;

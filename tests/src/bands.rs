@@ -13,9 +13,9 @@ use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::NoDepth,
-    mesh::Material,
+    mesh::{Material, MeshVertex},
     numbers::{Angle, Rotation, Scalar, Vec3},
-    shade::{Level, Light, MeshVertex, Shader},
+    shade::{Level, Light, Shader},
     target::{Bands, DepthBuffer, Frame},
 };
 
@@ -63,19 +63,14 @@ pub fn ball() -> Surface {
 
 /// The materials of a mesh of 588 triangles: runs that begin and end anywhere in words of 32, one
 /// of them empty.
-pub const MATERIALS: [Material; 6] = {
-    const fn material(color: [u8; 3], triangle_count: u32) -> Material {
-        Material { color, triangle_count }
-    }
-    [
-        material([250, 220, 150], 31),
-        material([20, 220, 150], 1),
-        material([250, 20, 150], 0),
-        material([250, 220, 15], 97),
-        material([120, 120, 250], 5),
-        material([220, 20, 10], 454),
-    ]
-};
+pub const MATERIALS: [Material; 6] = [
+    Material::new([250, 220, 150], 31),
+    Material::new([20, 220, 150], 1),
+    Material::new([250, 20, 150], 0),
+    Material::new([250, 220, 15], 97),
+    Material::new([120, 120, 250], 5),
+    Material::new([220, 20, 10], 454),
+];
 
 /// A camera this far before the origin.
 ///

@@ -5,10 +5,10 @@ use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{NoDepth, Pose, PoseError, Projection, S4, S8, ScreenVertex},
-    mesh::{Material, Mesh, Tables},
+    mesh::{Material, Mesh, MeshVertex, Normals, RequiredTables, Tables, TextureCoordinates},
     numbers::{Angle, Rotation, Scale, Vec3},
     scene::{DrawError, Object, ProjectError},
-    shade::{Flat, Gouraud, Level, Light, MeshVertex, RequiredTables, Shader, Unlit},
+    shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
     target::{Direct, Frame},
 };
 use rasterizer_tests::{Picture, Recorder, Surface, area};
@@ -101,8 +101,11 @@ fn shaders_need_their_tables() {
 
     let normals = vec![[0, 0, 127]; mesh.triangle_count()];
     let coordinates = vec![[7, 7]; room];
-    let tables =
-        Tables { face_normals: &normals, texture_coordinates: &coordinates, ..*mesh.tables() };
+    let tables = Tables {
+        face_normals: Normals::I8(&normals),
+        texture_coordinates: TextureCoordinates::U16 { table: &coordinates, fraction_bits: 16 },
+        ..*mesh.tables()
+    };
     let mesh = Mesh::new(tables).unwrap();
     let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
     picture.draw(&mesh, Flat::new(light()), &perspective());

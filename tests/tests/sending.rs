@@ -10,7 +10,7 @@ use embedded_graphics::{
 };
 use rasterizer::{
     geometry::{NoDepth, Pose, S8, ScreenVertex},
-    mesh::{Mesh, Tables},
+    mesh::{Mesh, Normals, Tables},
     numbers::{Angle, Rotation, Scalar, Vec3},
     scene::{Needs, Object, bin_words},
     shade::{Flat, Gouraud, Shader, Unlit},
@@ -381,7 +381,7 @@ fn big_endian_pixels_are_rgb565_swapped() {
         let ball = ball();
         let normals = vec![[90, 20, 87]; ball.mesh().triangle_count()];
         let mesh = Mesh::new(Tables {
-            face_normals: &normals,
+            face_normals: Normals::I8(&normals),
             materials: &MATERIALS,
             ..*ball.mesh().tables()
         })

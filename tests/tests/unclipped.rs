@@ -59,7 +59,8 @@ where
     let expected = if whole.is_empty() {
         picture::<D>(ROWS, |_| Ok(()))
     } else {
-        let mut rest = Surface::new(tables.positions.to_vec(), whole);
+        let positions = (0..).map_while(|index| tables.positions.get(index)).collect();
+        let mut rest = Surface::new(positions, whole);
         rest.scale = tables.scale;
         let mesh = rest.mesh();
         let object = Object::new(&mesh, Position).culled(culling);

@@ -175,7 +175,7 @@ mod tests {
     use crate::{
         camera::{Orthographic, Perspective},
         geometry::{S4, S8},
-        mesh::{Bounds, Triangles},
+        mesh::Positions,
         numbers::{Angle, Float, Rotation, Scale, Vec3},
     };
 
@@ -186,16 +186,11 @@ mod tests {
 
     fn tables(positions: &[[i16; 3]]) -> Tables<'_> {
         Tables {
-            positions,
+            positions: Positions::I16(positions),
             // A half-extent of 1.5.
             scale: Scale::new(3, -16),
             offset: Vec3::lit("0.5", "-0.25", "0.125"),
-            vertex_normals: &[],
-            face_normals: &[],
-            texture_coordinates: &[],
-            texture_fraction_bits: 16,
-            triangles: Triangles::U8(&[]),
-            materials: &[],
+            ..Tables::EMPTY
         }
     }
 
@@ -288,7 +283,7 @@ mod tests {
             if is_seen {
                 seen += 1;
                 assert!(
-                    !transform.hides(&Bounds::of(&positions).cuboid, [321, 240]),
+                    !transform.hides(&BoundingBox::of(&positions), [321, 240]),
                     "a box is hidden that shows"
                 );
             }
@@ -342,7 +337,7 @@ mod tests {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
             let transform = Transform::new(&camera, &pose, &tables(&positions));
-            transform.hides(&Bounds::of(&positions).cuboid, [321, 240])
+            transform.hides(&BoundingBox::of(&positions), [321, 240])
         };
         assert!(!hides("0", "0", "-5"));
         for (x, y, z) in [

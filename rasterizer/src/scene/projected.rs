@@ -15,9 +15,9 @@ use crate::{
         ClipAll, ClipVertex, Clipping, CullBack, Culling, DepthFormat, MAX_CORNERS, PoseError,
         Projection, ScreenVertex, Subpixel, Transform, clip,
     },
-    mesh::{Material, Tables},
+    mesh::{Material, MeshFace, MeshVertex, Tables, VertexColumns},
     raster::{Triangle, Window, first_center, signed_area},
-    shade::{MeshFace, MeshVertex, Shader},
+    shade::Shader,
     target::Target,
 };
 
@@ -57,7 +57,7 @@ impl<'a, V, P: Projection, Sh: Shader, K: Culling, L: Clipping> Projected<'a, V,
             viewport: camera_window(&camera.viewport()),
             choices: PhantomData,
         };
-        seen.is_hidden = L::CUTS && seen.transform.hides(&object.mesh.bounds().cuboid, seen.size());
+        seen.is_hidden = L::CUTS && seen.transform.hides(object.mesh.bounds(), seen.size());
         seen
     }
 
@@ -276,14 +276,14 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
             return Ok(());
         }
         let table = self.tables.triangles;
+        let columns = VertexColumns::new(self.tables);
         // Cut to the table here, where compilers see that no index of the run lies beyond it.
         for index in chosen(run.start..run.end.min(table.len())) {
             let Some(indices) = table.get(index) else {
                 break;
             };
-            let place = |index| {
-                on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
-            };
+            let place =
+                |index| on_screen(&self.shader, &self.transform, &MeshVertex::new(&columns, index));
             let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
@@ -329,10 +329,9 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     #[inline(never)]
     fn hides(&self, index: usize) -> bool {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let columns = VertexColumns::new(self.tables);
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
-            bits & self
-                .transform
-                .beyond(MeshVertex::new(self.tables, index).position(), self.size())
+            bits & self.transform.beyond(MeshVertex::new(&columns, index).position(), self.size())
         });
         beyond_all != 0
     }
@@ -343,8 +342,9 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let columns = VertexColumns::new(self.tables);
         let triangle = indices.into_iter().map(|index| {
-            let vertex = MeshVertex::new(self.tables, index);
+            let vertex = MeshVertex::new(&columns, index);
             let [x, y, z] = self.transform.few_to_clip(vertex.position());
             let varyings = self.shader.vertex(&vertex);
             ClipVertex { x, y, z, varyings }
@@ -377,9 +377,8 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     transform: &Transform<P>,
     vertices: &mut [ScreenVertex<S, D, Sh::Varyings>],
 ) {
-    // Tables of that length, so that the loop need not look whether they end.
     let count = vertices.len();
-    let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
+    let Some(columns) = VertexColumns::new(tables).first(count, Sh::TABLES) else {
         return;
     };
     // A copy on the stack that anyone might write to: compilers read it from there for each vertex.
@@ -389,7 +388,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     black_box(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         black_box(());
-        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
+        *vertex = on_screen(shader, &transform, &MeshVertex::new(&columns, index));
     }
 }
 

@@ -4,8 +4,11 @@ use core::marker::PhantomData;
 
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 
-use super::{Light, MeshFace, MeshVertex, RequiredTables, Shader, lit::Lit};
-use crate::{geometry::Pose, mesh::Material};
+use super::{Light, Shader, lit::Lit};
+use crate::{
+    geometry::Pose,
+    mesh::{Material, MeshFace, MeshVertex, RequiredTables},
+};
 
 /// The material's colour, unlit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -3,8 +3,11 @@
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 use fixed::types::U16F16;
 
-use super::{Light, MeshVertex, Ramp, RequiredTables, Shader, lit::Lit};
-use crate::{geometry::Pose, mesh::Material};
+use super::{Light, Ramp, Shader, lit::Lit};
+use crate::{
+    geometry::Pose,
+    mesh::{Material, MeshVertex, RequiredTables},
+};
 
 /// The material's colour, lit at the vertices (Gouraud, *Continuous Shading of Curved Surfaces*,
 /// 1971). Needs [`vertex_normals`](crate::mesh::Tables::vertex_normals).
