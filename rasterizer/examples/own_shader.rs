@@ -12,7 +12,7 @@ use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{Pose, S4, ScreenVertex},
     mesh::{Material, Mesh, MeshVertex, Positions, Tables, Triangles},
-    numbers::{Angle, Rotation, Scale, Vec3},
+    numbers::{Rotation, Scale, Turn, Vec3},
     scene::Object,
     shade::Shader,
     target::Frame,
@@ -80,11 +80,10 @@ const EYE: Vec3 = Vec3::lit("0", "0", "4");
 /// The cube as text, two rows of pixels in one of text.
 pub(crate) fn picture() -> Result<String, Box<dyn std::error::Error>> {
     let screen = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-    let lens = Perspective::new(Angle::degrees(50), NEAR, FAR)?;
+    let lens = Perspective::new(Turn::degrees(50), NEAR, FAR)?;
     let camera = Camera::at(EYE, Rotation::IDENTITY, lens, screen)?;
-    let pose = Pose::rotated(
-        Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::degrees(30)),
-    );
+    let pose =
+        Pose::rotated(Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(Turn::degrees(30)));
 
     let (mut color, mut depth) = ([Gray8::new(40); PIXELS], [0u16; PIXELS]);
     let mut storage = [ScreenVertex::<S4, _, _>::EMPTY; 8];

@@ -6,7 +6,7 @@ pub use crate::{
         ClipAll, ClipNone, CullBack, CullFront, CullNone, NoDepth, Pose, S4, S8, ScreenVertex,
     },
     mesh::Mesh,
-    numbers::{Angle, Rotation, Scalar, Vec3},
+    numbers::{Rotation, Scalar, Turn, Vec3},
     scene::{Needs, Object},
     shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
     target::{Bands, Direct, Frame, Rgb565Be},

@@ -14,7 +14,7 @@ use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::NoDepth,
     mesh::{Material, MeshVertex},
-    numbers::{Angle, Rotation, Scalar, Vec3},
+    numbers::{Rotation, Scalar, Turn, Vec3},
     shade::{Level, Light, Shader},
     target::{Bands, DepthBuffer, Frame},
 };
@@ -82,9 +82,9 @@ pub fn at(z: &str, viewport: Rectangle) -> Camera<Perspective> {
     // From inside, what is beside the camera is more than 1,024 pixels away from the picture's
     // middle.
     let near = if z < "1" { Distance::lit("0.004") } else { Distance::lit("0.25") };
-    let lens = Perspective::new(Angle::degrees(70), near, Distance::lit("10")).unwrap();
+    let lens = Perspective::new(Turn::degrees(70), near, Distance::lit("10")).unwrap();
     let eye = Vec3::new(Scalar::lit("0.1"), Scalar::lit("0.2"), z.parse().unwrap());
-    Camera::at(eye, Rotation::about_x(-Angle::degrees(8)), lens, viewport).unwrap()
+    Camera::at(eye, Rotation::about_x(-Turn::degrees(8)), lens, viewport).unwrap()
 }
 
 /// All of the ball; cut by the picture's edges; by the near plane; from inside; there, with

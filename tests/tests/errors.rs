@@ -6,7 +6,7 @@ use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{NoDepth, Pose, PoseError, Projection, S4, S8, ScreenVertex},
     mesh::{Material, Mesh, MeshVertex, Normals, RequiredTables, Tables, TextureCoordinates},
-    numbers::{Angle, Rotation, Scale, Vec3},
+    numbers::{Rotation, Scale, Turn, Vec3},
     scene::{DrawError, Object, ProjectError},
     shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
     target::{Direct, Frame},
@@ -44,7 +44,7 @@ const fn light() -> Light {
 
 fn perspective() -> Camera {
     let lens =
-        Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("100")).unwrap();
+        Perspective::new(Turn::degrees(60), Distance::lit("0.1"), Distance::lit("100")).unwrap();
     Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, lens, DISPLAY).unwrap()
 }
 
@@ -134,7 +134,7 @@ fn objects_beyond_all_numbers_are_refused() {
     cube.scale = Scale::ONE;
     cube.offset = Vec3::lit("32767", "-32768", "32767");
     let mesh = cube.mesh();
-    let eighth = Pose::rotated(Rotation::about_z(Angle::degrees(45)));
+    let eighth = Pose::rotated(Rotation::about_z(Turn::degrees(45)));
     let carried_off = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(eighth.scaled(huge));
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; 100];
     assert!(carried_off.project(&perspective(), &mut storage).unwrap().is_hidden());

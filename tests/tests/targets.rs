@@ -11,7 +11,7 @@ use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{NoDepth, S8, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, Vec3},
+    numbers::{Rotation, Turn, Vec3},
     scene::{DrawError, Object},
     shade::{Gouraud, Level, Light, Shader, Unlit},
     target::{Direct, Frame, FrameError, StoredColor},
@@ -33,14 +33,9 @@ fn ball() -> Surface {
 /// edges.
 fn camera(viewport: Rectangle) -> Camera<Perspective> {
     let lens =
-        Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
-    Camera::at(
-        Vec3::lit("0.1", "0.2", "1.7"),
-        Rotation::about_x(-Angle::degrees(8)),
-        lens,
-        viewport,
-    )
-    .unwrap()
+        Perspective::new(Turn::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
+    Camera::at(Vec3::lit("0.1", "0.2", "1.7"), Rotation::about_x(-Turn::degrees(8)), lens, viewport)
+        .unwrap()
 }
 
 /// A picture of a ball, and how many of its pixels show it.
@@ -123,8 +118,8 @@ fn nothing_is_drawn_beside_the_viewport() {
     let cube = Surface::cube(10_000, 2);
     let mesh = cube.mesh();
     let viewport = area(9, 8, 20, 15);
-    let lens = Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("60000"))
-        .unwrap();
+    let lens =
+        Perspective::new(Turn::degrees(70), Distance::lit("0.25"), Distance::lit("60000")).unwrap();
     let camera =
         Camera::at(Vec3::lit("0", "0", "10100"), Rotation::IDENTITY, lens, viewport).unwrap();
     let mut picture = Picture::<_, u32>::empty(DISPLAY, BACKGROUND);

@@ -11,7 +11,7 @@ use rasterizer::{
         ScreenVertex, Subpixel,
     },
     mesh::{Mesh, Triangles},
-    numbers::{Angle, Rotation, Vec3},
+    numbers::{Rotation, Turn, Vec3},
     raster::Interpolate,
     scene::{Object, bin_words},
     shade::Unlit,
@@ -123,7 +123,7 @@ fn what_stays_inside_is_drawn_alike() {
     let ball = ball();
     let mesh = ball.mesh();
     let distance = |text: &str| text.parse::<Distance>().unwrap();
-    let lens = Perspective::new(Angle::degrees(70), distance("0.25"), distance("10")).unwrap();
+    let lens = Perspective::new(Turn::degrees(70), distance("0.25"), distance("10")).unwrap();
     let parallel = Orthographic::new(distance("2"), distance("0.25"), distance("10")).unwrap();
     for (x, pixels) in [("0", 500..900), ("2", 100..500), ("9", 0..1)] {
         let eye = Vec3::lit(x, "0", "2.5");

@@ -176,7 +176,7 @@ mod tests {
         camera::{Orthographic, Perspective},
         geometry::{S4, S8},
         mesh::Positions,
-        numbers::{Angle, Float, Rotation, Scale, Vec3},
+        numbers::{Float, Rotation, Scale, Turn, Vec3},
     };
 
     const VIEWPORT: embedded_graphics_core::primitives::Rectangle =
@@ -211,7 +211,7 @@ mod tests {
 
     impl Case {
         fn random(state: &mut u64) -> Self {
-            let mut angle = || Angle::from_bits((random(state) as u32) << 16 | 0x1234);
+            let mut angle = || Turn::from_bits((random(state) as u32) << 16 | 0x1234);
             let rotation = Rotation::about_x(angle()) * Rotation::about_y(angle());
             let turn = Rotation::about_z(angle()) * Rotation::about_y(angle());
             let mut vector =
@@ -331,7 +331,7 @@ mod tests {
 
     #[test]
     fn a_box_beyond_any_one_plane_is_hidden() {
-        let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+        let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
         let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
         let hides = |x: &str, y: &str, z: &str| {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
@@ -361,7 +361,7 @@ mod tests {
             far_off.offset = Vec3::from_bits([offset; 3]);
             let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
             let eye = Vec3::from_bits([!offset; 3]);
-            let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+            let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
             let transform = Transform::new(&camera(eye, lens), &pose, &far_off);
             assert_eq!(transform.check(), Ok(()));
             let ClipVertex { x, y, z, .. } = transform.object_to_clip([0; 3], ());
@@ -392,7 +392,7 @@ mod tests {
             if random(&mut state) > 0 {
                 pose.translation = Vec3::from_bits(turned.map(|c| -(c * 65536.0) as i32));
             }
-            let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+            let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
             let camera = Camera::at(eye, rotation, lens, VIEWPORT).unwrap();
             let [at, eye] = [pose.translation, camera.eye()].map(|v| bits(v.to_bits(), -16));
             let way: [f64; 3] = core::array::from_fn(|i| at[i] - eye[i]);

@@ -4,7 +4,7 @@
 //! | type | format | for |
 //! |---|---|---|
 //! | [`Scalar`] | Q16.16 | world coordinates |
-//! | [`Angle`] | Q0.32 turns | angles |
+//! | [`Turn`] | Q0.32 turns | angles |
 //! | [`Rotation`] | Q2.30 | matrices of length-one rows |
 //! | [`Scale`] | 32-bit mantissa, exponent | the length of a mesh's quantum |
 //!
@@ -12,7 +12,6 @@
 //! inverse square root 2<sup>-28</sup>, sine and cosine 2<sup>-28</sup>, rotations orthonormal to
 //! 2<sup>-26</sup>.
 
-mod angle;
 mod divide;
 mod float;
 mod interchange;
@@ -21,9 +20,9 @@ mod reciprocal;
 mod root;
 mod rotation;
 mod scale;
+mod turn;
 mod vector;
 
-pub use angle::Angle;
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use narrow::{
@@ -35,4 +34,5 @@ pub(crate) use root::unit;
 pub use rotation::Rotation;
 pub(crate) use rotation::cross;
 pub use scale::Scale;
+pub use turn::Turn;
 pub use vector::{Scalar, Vec3};

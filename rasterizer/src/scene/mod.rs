@@ -87,7 +87,7 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping> Object<'a, Sh, K, L> {
     /// # use embedded_graphics_core::pixelcolor::Rgb565;
     /// # use rasterizer::{mesh::Mesh, prelude::*};
     /// // A gear before the camera on a small display.
-    /// # fn gear<'a>(mesh: &'a Mesh<'a>, sun: Light, turn: Angle) -> Object<'a, Flat<Rgb565>, CullBack, ClipNone> {
+    /// # fn gear<'a>(mesh: &'a Mesh<'a>, sun: Light, turn: Turn) -> Object<'a, Flat<Rgb565>, CullBack, ClipNone> {
     /// Object::new(mesh, Flat::new(sun))
     ///     .posed(Pose::rotated(Rotation::about_y(turn)))
     ///     .clipped(ClipNone)

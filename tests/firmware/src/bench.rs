@@ -9,7 +9,7 @@ use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{NoDepth, Pose, S4, S8, ScreenVertex, Subpixel},
     mesh::Mesh,
-    numbers::{Angle, Rotation, Vec3},
+    numbers::{Rotation, Turn, Vec3},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Shader},
     target::Rgb565Be,
@@ -86,8 +86,8 @@ pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
 /// How the model is turned in a frame.
 pub(crate) fn pose(frame: u32) -> Pose {
     Pose::rotated(
-        Rotation::about_x(Angle::turns(30, 512))
-            * Rotation::about_y(Angle::turns(64 * frame + 20, 512)),
+        Rotation::about_x(Turn::fraction(30, 512))
+            * Rotation::about_y(Turn::fraction(64 * frame + 20, 512)),
     )
 }
 

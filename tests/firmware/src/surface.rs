@@ -6,7 +6,7 @@ use core::cell::RefCell;
 use critical_section::Mutex;
 use rasterizer::{
     mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
-    numbers::{Angle, Scale},
+    numbers::{Scale, Turn},
 };
 
 use crate::cost::fail;
@@ -56,8 +56,8 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
             (self.vertex([0, UNIT, 0], [0, 127, 0]), self.vertex([0, -UNIT, 0], [0, -127, 0]));
         for parallel in 1..=parallels {
             for meridian in 0..meridians {
-                let colatitude = Angle::turns(parallel.into(), 2 * u32::from(parallels + 1));
-                let longitude = Angle::turns(meridian.into(), meridians.into());
+                let colatitude = Turn::fraction(parallel.into(), 2 * u32::from(parallels + 1));
+                let longitude = Turn::fraction(meridian.into(), meridians.into());
                 let direction = [
                     colatitude.sin() * longitude.sin(),
                     colatitude.cos(),

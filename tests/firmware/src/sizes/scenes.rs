@@ -13,7 +13,7 @@ use rasterizer::{
         ClipAll, ClipNone, Clipping, CullNone, NoDepth, Projection, S4, S8, ScreenVertex, Subpixel,
     },
     mesh::Mesh,
-    numbers::{Angle, Rotation, Vec3},
+    numbers::{Rotation, Turn, Vec3},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Unlit},
     target::{BandAreas, Frame, StoredDepth},
@@ -33,7 +33,7 @@ const NARROW: usize = 240 * ROWS as usize;
 const NEAR: Distance = Distance::lit("0.1");
 const FAR: Distance = Distance::lit("100");
 
-const PERSPECTIVE: Perspective = match Perspective::new(Angle::degrees(40), NEAR, FAR) {
+const PERSPECTIVE: Perspective = match Perspective::new(Turn::degrees(40), NEAR, FAR) {
     Ok(lens) => lens,
     Err(_) => panic!("the lens makes no sense"),
 };
