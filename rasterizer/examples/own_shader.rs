@@ -11,11 +11,11 @@ use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{Pose, ScreenVertex},
-    mesh::{Material, Mesh, Tables, Triangles},
-    numbers::{Angle, Rotation, S4, Scale, Vec3},
+    mesh::{Material, Mesh, MeshVertex, Positions, Tables, Triangles},
+    numbers::{Rotation, S4, Scale, Turn, Vec3},
     output::Frame,
     scene::Object,
-    shade::{MeshVertex, Shader},
+    shade::Shader,
 };
 
 /// Every other slice through the model is black, the others have the material's red as their grey.
@@ -41,7 +41,7 @@ const END: i16 = 32_767;
 
 /// A cube two units wide. Three bits of a vertex's number say on which side of x, y and z it lies.
 static CUBE: Mesh<'static> = Mesh::new_const(Tables {
-    positions: &[
+    positions: Positions::I16(&[
         [-END, -END, -END],
         [END, -END, -END],
         [-END, END, -END],
@@ -50,13 +50,8 @@ static CUBE: Mesh<'static> = Mesh::new_const(Tables {
         [END, -END, END],
         [-END, END, END],
         [END, END, END],
-    ],
+    ]),
     scale: Scale::new(1, -15),
-    offset: Vec3::ZERO,
-    vertex_normals: &[],
-    face_normals: &[],
-    texture_coordinates: &[],
-    texture_fraction_bits: 0,
     triangles: Triangles::U8(&[
         [4, 5, 7],
         [4, 7, 6],
@@ -71,10 +66,8 @@ static CUBE: Mesh<'static> = Mesh::new_const(Tables {
         [0, 1, 5],
         [0, 5, 4],
     ]),
-    materials: &[
-        Material { color: [255, 0, 0], triangle_count: 4 },
-        Material { color: [120, 0, 0], triangle_count: 8 },
-    ],
+    materials: &[Material::new([255, 0, 0], 4), Material::new([120, 0, 0], 8)],
+    ..Tables::EMPTY
 });
 
 const WIDTH: u32 = 64;
@@ -87,11 +80,10 @@ const EYE: Vec3 = Vec3::lit("0", "0", "4");
 /// The cube as text, two rows of pixels in one of text.
 pub(crate) fn picture() -> Result<String, Box<dyn std::error::Error>> {
     let screen = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-    let lens = Perspective::new(Angle::degrees(50), NEAR, FAR)?;
+    let lens = Perspective::new(Turn::degrees(50), NEAR, FAR)?;
     let camera = Camera::at(EYE, Rotation::IDENTITY, lens, screen)?;
-    let pose = Pose::rotated(
-        Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::degrees(30)),
-    );
+    let pose =
+        Pose::rotated(Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(Turn::degrees(30)));
 
     let (mut color, mut depth) = ([Gray8::new(40); PIXELS], [0u16; PIXELS]);
     let mut storage = [ScreenVertex::<S4, _, _>::EMPTY; 8];

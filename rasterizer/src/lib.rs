@@ -13,21 +13,16 @@
 //! ```
 //! use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 //! use rasterizer::{
-//!     mesh::{Material, Mesh, Tables, Triangles},
-//!     numbers::{Scale, Vec3},
+//!     mesh::{Material, Mesh, Positions, Tables, Triangles},
+//!     numbers::Vec3,
 //!     prelude::*,
 //! };
 //!
 //! static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
-//!     positions: &[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
-//!     scale: Scale::ONE,
-//!     offset: Vec3::ZERO,
-//!     vertex_normals: &[],
-//!     face_normals: &[],
-//!     texture_coordinates: &[],
-//!     texture_fraction_bits: 16,
+//!     positions: Positions::I16(&[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]),
 //!     triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
-//!     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
+//!     materials: &[Material::new([255, 160, 0], 2)],
+//!     ..Tables::EMPTY
 //! });
 //!
 //! // In constants, so that the texts are read by the compiler.
@@ -36,7 +31,7 @@
 //! const EYE: Vec3 = Vec3::lit("0", "0", "3");
 //!
 //! let display = Rectangle::new(Point::zero(), Size::new(16, 8));
-//! let lens = Perspective::new(Angle::degrees(40), NEAR, FAR)?;
+//! let lens = Perspective::new(Turn::degrees(40), NEAR, FAR)?;
 //! let camera = Camera::look_at(EYE, Vec3::ZERO, Vec3::Y, lens, display)?;
 //!
 //! let mut color = [Rgb565::BLACK; 16 * 8];
@@ -45,7 +40,7 @@
 //!
 //! let mut frame = Frame::new(&mut color, &mut depth, display)?;
 //! Object::new(&SQUARE, Unlit::new())
-//!     .posed(Pose::rotated(Rotation::about_z(Angle::degrees(20))))
+//!     .posed(Pose::rotated(Rotation::about_z(Turn::degrees(20))))
 //!     .draw(&camera, &mut vertices, &mut frame)?;
 //!
 //! let picture: Vec<String> = frame
@@ -76,23 +71,18 @@
 //! ```
 //! # use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 //! # use rasterizer::{
-//! #     mesh::{Material, Mesh, Tables, Triangles},
-//! #     numbers::{Scale, Vec3},
+//! #     mesh::{Material, Mesh, Positions, Tables, Triangles},
+//! #     numbers::Vec3,
 //! #     prelude::*,
 //! # };
 //! # static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
-//! #     positions: &[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
-//! #     scale: Scale::ONE,
-//! #     offset: Vec3::ZERO,
-//! #     vertex_normals: &[],
-//! #     face_normals: &[],
-//! #     texture_coordinates: &[],
-//! #     texture_fraction_bits: 16,
+//! #     positions: Positions::I16(&[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]),
 //! #     triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
-//! #     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
+//! #     materials: &[Material::new([255, 160, 0], 2)],
+//! #     ..Tables::EMPTY
 //! # });
 //! # let screen = Rectangle::new(Point::zero(), Size::new(16, 8));
-//! # let lens = Perspective::new(Angle::degrees(40), Distance::lit("0.1"), Distance::lit("10"))?;
+//! # let lens = Perspective::new(Turn::degrees(40), Distance::lit("0.1"), Distance::lit("10"))?;
 //! # let camera = Camera::look_at(Vec3::lit("0", "0", "3"), Vec3::ZERO, Vec3::Y, lens, screen)?;
 //! # let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; SQUARE.vertex_count()];
 //! # let mut display = std::vec::Vec::new();
@@ -228,3 +218,12 @@ pub mod prelude;
 pub mod raster;
 pub mod scene;
 pub mod shade;
+
+// Their types are part of this crate's signatures: name them through here, and they are the versions
+// that it is built with.
+pub use bytemuck;
+pub use embedded_graphics_core;
+/// Fixed-point numbers. The newest version of it, which `cargo add fixed` takes, has other types than
+/// the one that goes with [`embedded_graphics_core`].
+pub use fixed;
+pub use micromath;

@@ -5,7 +5,7 @@ pub use crate::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{ClipAll, ClipNone, CullBack, CullFront, CullNone, Pose, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, S4, S8, Scalar, Vec3},
+    numbers::{Rotation, S4, S8, Scalar, Turn, Vec3},
     output::{Bands, Direct, Frame, Rgb565Be},
     scene::{Needs, Object},
     shade::{Flat, Gouraud, Level, Light, Shader, Unlit},

@@ -13,10 +13,10 @@ use fixed::types::U16F16;
 use rasterizer::{
     attribute::NoDepth,
     camera::{Camera, Distance, Perspective},
-    mesh::Material,
-    numbers::{Angle, Rotation, Scalar, Vec3},
+    mesh::{Material, MeshVertex},
+    numbers::{Rotation, Scalar, Turn, Vec3},
     output::{Bands, DepthBuffer, Frame},
-    shade::{Level, Light, MeshVertex, Shader},
+    shade::{Level, Light, Shader},
 };
 
 use crate::{Surface, area};
@@ -63,19 +63,14 @@ pub fn ball() -> Surface {
 
 /// The materials of a mesh of 588 triangles: runs that begin and end anywhere in words of 32, one
 /// of them empty.
-pub const MATERIALS: [Material; 6] = {
-    const fn material(color: [u8; 3], triangle_count: u32) -> Material {
-        Material { color, triangle_count }
-    }
-    [
-        material([250, 220, 150], 31),
-        material([20, 220, 150], 1),
-        material([250, 20, 150], 0),
-        material([250, 220, 15], 97),
-        material([120, 120, 250], 5),
-        material([220, 20, 10], 454),
-    ]
-};
+pub const MATERIALS: [Material; 6] = [
+    Material::new([250, 220, 150], 31),
+    Material::new([20, 220, 150], 1),
+    Material::new([250, 20, 150], 0),
+    Material::new([250, 220, 15], 97),
+    Material::new([120, 120, 250], 5),
+    Material::new([220, 20, 10], 454),
+];
 
 /// A camera this far before the origin.
 ///
@@ -87,9 +82,9 @@ pub fn at(z: &str, viewport: Rectangle) -> Camera<Perspective> {
     // From inside, what is beside the camera is more than 1,024 pixels away from the picture's
     // middle.
     let near = if z < "1" { Distance::lit("0.004") } else { Distance::lit("0.25") };
-    let lens = Perspective::new(Angle::degrees(70), near, Distance::lit("10")).unwrap();
+    let lens = Perspective::new(Turn::degrees(70), near, Distance::lit("10")).unwrap();
     let eye = Vec3::new(Scalar::lit("0.1"), Scalar::lit("0.2"), z.parse().unwrap());
-    Camera::at(eye, Rotation::about_x(-Angle::degrees(8)), lens, viewport).unwrap()
+    Camera::at(eye, Rotation::about_x(-Turn::degrees(8)), lens, viewport).unwrap()
 }
 
 /// All of the ball; cut by the picture's edges; by the near plane; from inside; there, with

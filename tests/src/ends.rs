@@ -4,7 +4,7 @@ use embedded_graphics::primitives::Rectangle;
 use rasterizer::{
     camera::{Camera, Distance, MAX_VIEWPORT_OFFSET, Orthographic, Perspective},
     geometry::Pose,
-    numbers::{Angle, Rotation, Scale, Vec3},
+    numbers::{Rotation, Scale, Turn, Vec3},
 };
 
 use crate::{Random, Surface, area};
@@ -33,11 +33,11 @@ pub fn place(random: &mut Random) -> Vec3 {
     }))
 }
 
-const fn angle(random: &mut Random) -> Angle {
+const fn angle(random: &mut Random) -> Turn {
     if random.coin() {
-        Angle::from_bits((random.bits() as u32 >> 29) << 29)
+        Turn::from_bits((random.bits() as u32 >> 29) << 29)
     } else {
-        Angle::from_bits(random.bits() as u32)
+        Turn::from_bits(random.bits() as u32)
     }
 }
 
@@ -131,7 +131,7 @@ pub fn perspective(random: &mut Random) -> Perspective {
             179 * degree,
             (1 << 31) - 2,
         ]);
-        Perspective::new(Angle::from_bits(field), near, far).unwrap()
+        Perspective::new(Turn::from_bits(field), near, far).unwrap()
     } else {
         Perspective::with_focal_length(distance(random), near, far).unwrap()
     }

@@ -2,7 +2,7 @@
 //! walk into.
 
 use rasterizer::{
-    mesh::{Material, Mesh, Tables, Triangles},
+    mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
     numbers::{Scale, Vec3},
 };
 
@@ -25,8 +25,7 @@ impl Surface {
     /// From its tables, with one unit for a quantum.
     #[must_use]
     pub const fn new(positions: Vec<[i16; 3]>, triangles: Vec<[u16; 3]>) -> Self {
-        let materials =
-            [Material { color: [200, 100, 50], triangle_count: triangles.len() as u32 }];
+        let materials = [Material::new([200, 100, 50], triangles.len() as u32)];
         Self {
             positions,
             triangles,
@@ -85,15 +84,13 @@ impl Surface {
     #[must_use]
     pub fn mesh(&self) -> Mesh<'_> {
         Mesh::new_const(Tables {
-            positions: &self.positions,
+            positions: Positions::I16(&self.positions),
             scale: self.scale,
             offset: self.offset,
-            vertex_normals: &self.vertex_normals,
-            face_normals: &[],
-            texture_coordinates: &[],
-            texture_fraction_bits: 0,
+            vertex_normals: Normals::I8(&self.vertex_normals),
             triangles: Triangles::U16(&self.triangles),
             materials: &self.materials,
+            ..Tables::EMPTY
         })
     }
 
@@ -226,7 +223,7 @@ pub fn is_closed(mesh: &Mesh<'_>) -> bool {
     let mut balance = std::collections::HashMap::new();
     for [a, b, c] in (0..).map_while(|index| tables.triangles.get(index)) {
         for (from, to) in [(a, b), (b, c), (c, a)] {
-            let (from, to) = (tables.positions[from], tables.positions[to]);
+            let (from, to) = (tables.positions.get(from), tables.positions.get(to));
             *balance.entry((from, to)).or_insert(0i32) += 1;
             *balance.entry((to, from)).or_insert(0) -= 1;
         }

@@ -8,11 +8,11 @@ use fixed::types::U16F16;
 use rasterizer::{
     attribute::{DepthFormat, Interpolate, NoDepth},
     geometry::{CullBack, CullNone, Culling, ScreenVertex},
-    mesh::{Material, Mesh, Tables},
+    mesh::{Material, Mesh, MeshVertex, Tables},
     numbers::{S4, S8, Subpixel},
     output::{BandAreas, Frame},
     scene::{Object, ProjectError, bin_words},
-    shade::{Gouraud, MeshVertex, Shader, Unlit},
+    shade::{Gouraud, Shader, Unlit},
 };
 use rasterizer_tests::{
     Picture, Random, Surface, area,
@@ -107,9 +107,9 @@ fn ties_are_won_by_the_first_in_every_band() {
     let tables = *once.mesh().tables();
     let first: Vec<[u16; 3]> =
         (0..).map_while(|i| tables.triangles.get(i)).map(|t| t.map(|i| i as u16)).collect();
-    let twice =
-        Surface::new(tables.positions.to_vec(), [&first[..], &first[..]].concat()).scaled(-14);
-    let half = |color| Material { color, triangle_count: first.len() as u32 };
+    let positions = (0..).map_while(|i| tables.positions.get(i)).collect();
+    let twice = Surface::new(positions, [&first[..], &first[..]].concat()).scaled(-14);
+    let half = |color| Material::new(color, first.len() as u32);
     let materials = [half([9, 8, 7]), half([255, 0, 0])];
     let mesh = Mesh::new(Tables { materials: &materials, ..*twice.mesh().tables() }).unwrap();
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; mesh.vertex_count()];

@@ -5,7 +5,7 @@ use embedded_graphics::primitives::Rectangle;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{CullBack, CullFront, Pose},
-    numbers::{Angle, Rotation, S4, S8, Scale, Subpixel, Vec3},
+    numbers::{Rotation, S4, S8, Scale, Subpixel, Turn, Vec3},
 };
 use rasterizer_tests::{Random, Scene, Surface, area, pixel_camera};
 
@@ -13,7 +13,7 @@ const VIEWPORT: Rectangle = area(0, 0, 160, 120);
 const FOCAL: f64 = 100.0;
 
 fn turned(degrees: [u32; 3]) -> Rotation {
-    let [x, y, z] = degrees.map(Angle::degrees);
+    let [x, y, z] = degrees.map(Turn::degrees);
     Rotation::about_z(z) * Rotation::about_y(y) * Rotation::about_x(x)
 }
 
@@ -102,7 +102,7 @@ fn ground_is_covered_once_up_to_the_horizon() {
         let mut ground = Surface::sheet([-half, half], [-half, half], [cells; 2], &mut random);
         ground.scale = Scale::new(5000, -14);
         let mesh = ground.mesh();
-        let lie = Pose::rotated(Rotation::about_x(-Angle::QUARTER));
+        let lie = Pose::rotated(Rotation::about_x(-Turn::QUARTER));
         for (height, near) in
             [("1.5", "0.1"), ("0.01", "0.001"), ("300", "1"), ("1.5", "20"), ("4000", "0.1")]
         {
@@ -146,7 +146,7 @@ fn ground_at_eye_level_draws_nothing() {
     let ground =
         Surface::sheet([-16_000, 16_000], [-16_000, 16_000], [16, 16], &mut random).scaled(-1);
     let mesh = ground.mesh();
-    let pose = Pose::rotated(Rotation::about_x(-Angle::QUARTER));
+    let pose = Pose::rotated(Rotation::about_x(-Turn::QUARTER));
     for degrees in [[0, 0, 0], [0, 90, 0], [0, 33, 0]] {
         let scene = Scene {
             pose,

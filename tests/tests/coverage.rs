@@ -11,7 +11,7 @@ use host_tools::model::{Model, Options};
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{CullBack, CullFront, CullNone, Pose, Projection},
-    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
 };
 use rasterizer_tests::{
     Random, Scene, Surface, area, is_closed, other_models, pixel_camera, shipped_models,
@@ -20,7 +20,7 @@ use rasterizer_tests::{
 const VIEWPORT: Rectangle = area(0, 0, 256, 256);
 
 fn turned(degrees: [u32; 3]) -> Rotation {
-    let [x, y, z] = degrees.map(Angle::degrees);
+    let [x, y, z] = degrees.map(Turn::degrees);
     Rotation::about_z(z) * Rotation::about_x(x) * Rotation::about_y(y)
 }
 
@@ -48,7 +48,7 @@ fn closed_model_is_watertight(path: &Path) -> bool {
     {
         for viewport in [area(0, 0, 320, 240), area(-7, 5, 101, 333)] {
             let lens =
-                Perspective::new(Angle::degrees(60), Distance::lit("0.05"), Distance::lit("100"))
+                Perspective::new(Turn::degrees(60), Distance::lit("0.05"), Distance::lit("100"))
                     .unwrap();
             let parallel = Orthographic::new(
                 Distance::lit("2.1"),
@@ -246,8 +246,8 @@ fn pictures_move_by_whole_pixels() {
     let ball = Surface::ball(20_000, 9).scaled(-14);
     let mesh = ball.mesh();
     let seen = |x: i32, y: i32| {
-        let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("50"))
-            .unwrap();
+        let lens =
+            Perspective::new(Turn::degrees(50), Distance::lit("0.1"), Distance::lit("50")).unwrap();
         let viewport = area(x, y, 131, 90);
         let camera =
             Camera::at(Vec3::lit("0.3", "0.1", "2.5"), Rotation::IDENTITY, lens, viewport).unwrap();
@@ -271,8 +271,8 @@ fn order_of_corners_changes_no_pixel() {
     let ball = Surface::ball(20_000, 9).scaled(-14);
     let views = [ball.clone(), ball.clone().rotated(&mut random), ball.reversed()].map(|surface| {
         let mesh = surface.mesh();
-        let lens = Perspective::new(Angle::degrees(50), Distance::lit("0.1"), Distance::lit("50"))
-            .unwrap();
+        let lens =
+            Perspective::new(Turn::degrees(50), Distance::lit("0.1"), Distance::lit("50")).unwrap();
         let camera =
             Camera::at(Vec3::lit("0.3", "0.1", "2.5"), turned([2, 3, 4]), lens, VIEWPORT).unwrap();
         let scene = Scene::new(&mesh, camera);

@@ -6,11 +6,11 @@ use rasterizer::{
     attribute::NoDepth,
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{Pose, PoseError, Projection, ScreenVertex},
-    mesh::{Material, Mesh, Tables},
-    numbers::{Angle, Rotation, S4, S8, Scale, Vec3},
+    mesh::{Material, Mesh, MeshVertex, Normals, RequiredTables, Tables, TextureCoordinates},
+    numbers::{Rotation, S4, S8, Scale, Turn, Vec3},
     output::{Direct, Frame},
     scene::{DrawError, Object, ProjectError},
-    shade::{Flat, Gouraud, Level, Light, MeshVertex, RequiredTables, Shader, Unlit},
+    shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
 };
 use rasterizer_tests::{Picture, Recorder, Surface, area};
 
@@ -45,7 +45,7 @@ const fn light() -> Light {
 
 fn perspective() -> Camera {
     let lens =
-        Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("100")).unwrap();
+        Perspective::new(Turn::degrees(60), Distance::lit("0.1"), Distance::lit("100")).unwrap();
     Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, lens, DISPLAY).unwrap()
 }
 
@@ -102,8 +102,11 @@ fn shaders_need_their_tables() {
 
     let normals = vec![[0, 0, 127]; mesh.triangle_count()];
     let coordinates = vec![[7, 7]; room];
-    let tables =
-        Tables { face_normals: &normals, texture_coordinates: &coordinates, ..*mesh.tables() };
+    let tables = Tables {
+        face_normals: Normals::I8(&normals),
+        texture_coordinates: TextureCoordinates::U16 { table: &coordinates, fraction_bits: 16 },
+        ..*mesh.tables()
+    };
     let mesh = Mesh::new(tables).unwrap();
     let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
     picture.draw(&mesh, Flat::new(light()), &perspective());
@@ -132,7 +135,7 @@ fn objects_beyond_all_numbers_are_refused() {
     cube.scale = Scale::ONE;
     cube.offset = Vec3::lit("32767", "-32768", "32767");
     let mesh = cube.mesh();
-    let eighth = Pose::rotated(Rotation::about_z(Angle::degrees(45)));
+    let eighth = Pose::rotated(Rotation::about_z(Turn::degrees(45)));
     let carried_off = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(eighth.scaled(huge));
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; 100];
     assert!(carried_off.project(&perspective(), &mut storage).unwrap().is_outside_view());

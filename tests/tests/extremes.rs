@@ -5,7 +5,7 @@ use embedded_graphics::{geometry::Point, pixelcolor::Rgb888, primitives::Rectang
 use rasterizer::{
     camera::{Camera, Distance, MAX_VIEWPORT_OFFSET, Perspective},
     geometry::{CullBack, CullFront, CullNone, Pose, Projection, ScreenVertex},
-    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     output::Frame,
     scene::{Object, ProjectError},
     shade::{Gouraud, Level, Light, Unlit},
@@ -192,7 +192,7 @@ fn scales_of_mesh_and_pose_multiply() {
         let ball = ball.clone().scaled(exponent);
         let mesh = ball.mesh();
         let lens =
-            Perspective::new(Angle::degrees(60), Distance::lit("0.1"), Distance::lit("9")).unwrap();
+            Perspective::new(Turn::degrees(60), Distance::lit("0.1"), Distance::lit("9")).unwrap();
         let camera =
             Camera::at(Vec3::lit("0.1", "0", "2.5"), Rotation::IDENTITY, lens, viewport).unwrap();
         let scene = Scene { pose: Pose::IDENTITY.scaled(pose_scale), ..Scene::new(&mesh, camera) };

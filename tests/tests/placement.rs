@@ -118,7 +118,8 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
 
     let placed = scene.vertices::<S>();
     let mut sharp = 0;
-    for (index, position) in mesh.tables().positions.iter().enumerate() {
+    let positions = (0..).map_while(|index| mesh.tables().positions.get(index));
+    for (index, position) in positions.enumerate() {
         let p = position.map(f64::from);
         let [x, y, z] =
             rows.map(|(row, origin)| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + origin);

@@ -11,8 +11,8 @@ use embedded_graphics::{
 use rasterizer::{
     attribute::NoDepth,
     geometry::{Pose, ScreenVertex},
-    mesh::{Mesh, Tables},
-    numbers::{Angle, Rotation, S8, Scalar, Vec3},
+    mesh::{Mesh, Normals, Tables},
+    numbers::{Rotation, S8, Scalar, Turn, Vec3},
     output::{BandAreas, Bands, Frame, FrameError, Rgb565Be, StoredColor, StreamError},
     scene::{Needs, Object, bin_words},
     shade::{Flat, Gouraud, Shader, Unlit},
@@ -94,7 +94,7 @@ fn objects_share_bands() {
     let mut own = vec![ScreenVertex::<S8, u16, [u16; 3]>::EMPTY; cube.vertex_count()];
     let mut bands = u16::bands(DISPLAY, 5);
     for angle in [0, 70] {
-        let pose = Pose::rotated(Rotation::about_y(Angle::degrees(angle)));
+        let pose = Pose::rotated(Rotation::about_y(Turn::degrees(angle)));
         let ball = Object::new(&ball, Gouraud::new(light())).project(&camera, &mut smooth).unwrap();
         let cube = Object::new(&cube, Position).posed(pose).project(&camera, &mut own).unwrap();
         let whole = picture::<u16>(ROWS, |frame| {
@@ -149,7 +149,7 @@ fn bounds_hold_what_is_drawn() {
     let mut inside = 0;
     for mesh in [ball.mesh(), cube.mesh()] {
         for round in 0..400 {
-            let mut turn = || Angle::from_bits(random.bits() as u32);
+            let mut turn = || Turn::from_bits(random.bits() as u32);
             let pose = Pose::rotated(Rotation::about_x(turn()) * Rotation::about_y(turn()));
             let [x, y] = [(); 2].map(|()| Scalar::from_bits(random.within(-3 << 16, 3 << 16)));
             let z = Scalar::from_bits(random.within(-9 << 16, 3 << 14));
@@ -385,7 +385,7 @@ fn big_endian_pixels_are_rgb565_swapped() {
         let ball = ball();
         let normals = vec![[90, 20, 87]; ball.mesh().triangle_count()];
         let mesh = Mesh::new(Tables {
-            face_normals: &normals,
+            face_normals: Normals::I8(&normals),
             materials: &MATERIALS,
             ..*ball.mesh().tables()
         })

@@ -12,7 +12,7 @@ use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::ScreenVertex,
     mesh::Mesh,
-    numbers::{Angle, Rotation, S8, Vec3},
+    numbers::{Rotation, S8, Turn, Vec3},
     output::{Direct, Frame, FrameError, StoredColor},
     scene::{DrawError, Object},
     shade::{Gouraud, Level, Light, Shader, Unlit},
@@ -34,14 +34,9 @@ fn ball() -> Surface {
 /// edges.
 fn camera(viewport: Rectangle) -> Camera<Perspective> {
     let lens =
-        Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
-    Camera::at(
-        Vec3::lit("0.1", "0.2", "1.7"),
-        Rotation::about_x(-Angle::degrees(8)),
-        lens,
-        viewport,
-    )
-    .unwrap()
+        Perspective::new(Turn::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
+    Camera::at(Vec3::lit("0.1", "0.2", "1.7"), Rotation::about_x(-Turn::degrees(8)), lens, viewport)
+        .unwrap()
 }
 
 /// A picture of a ball, and how many of its pixels show it.
@@ -124,8 +119,8 @@ fn nothing_is_drawn_beside_the_viewport() {
     let cube = Surface::cube(10_000, 2);
     let mesh = cube.mesh();
     let viewport = area(9, 8, 20, 15);
-    let lens = Perspective::new(Angle::degrees(70), Distance::lit("0.25"), Distance::lit("60000"))
-        .unwrap();
+    let lens =
+        Perspective::new(Turn::degrees(70), Distance::lit("0.25"), Distance::lit("60000")).unwrap();
     let camera =
         Camera::at(Vec3::lit("0", "0", "10100"), Rotation::IDENTITY, lens, viewport).unwrap();
     let mut picture = Picture::<_, u32>::empty(DISPLAY, BACKGROUND);

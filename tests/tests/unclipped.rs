@@ -9,7 +9,7 @@ use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{ClipNone, CullBack, CullFront, CullNone, Culling, Projection, ScreenVertex},
     mesh::{Mesh, Triangles},
-    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     scene::{Object, bin_words},
     shade::Unlit,
 };
@@ -56,7 +56,8 @@ where
     let expected = if whole.is_empty() {
         picture::<D>(ROWS, |_| Ok(()))
     } else {
-        let mut rest = Surface::new(tables.positions.to_vec(), whole);
+        let positions = (0..).map_while(|index| tables.positions.get(index)).collect();
+        let mut rest = Surface::new(positions, whole);
         rest.scale = tables.scale;
         let mesh = rest.mesh();
         let object = Object::new(&mesh, Position).culled(culling);
@@ -119,7 +120,7 @@ fn what_stays_inside_is_drawn_alike() {
     let ball = ball();
     let mesh = ball.mesh();
     let distance = |text: &str| text.parse::<Distance>().unwrap();
-    let lens = Perspective::new(Angle::degrees(70), distance("0.25"), distance("10")).unwrap();
+    let lens = Perspective::new(Turn::degrees(70), distance("0.25"), distance("10")).unwrap();
     let parallel = Orthographic::new(distance("2"), distance("0.25"), distance("10")).unwrap();
     for (x, pixels) in [("0", 500..900), ("2", 100..500), ("9", 0..1)] {
         let eye = Vec3::lit(x, "0", "2.5");

@@ -76,12 +76,9 @@ impl Leveled for Flat<Rgb888> {
     /// From the normal in the table, by the definition.
     fn level(&self, _: [u16; 0], mesh: &Mesh<'_>, index: usize) -> f64 {
         let light = self.light();
+        let normal = mesh.tables().face_normals.get(index).expect("the shader needs normals");
         let dot: f64 = (0..3)
-            .map(|i| {
-                f64::from(mesh.tables().face_normals[index][i]) / 127.0
-                    * f64::from(light.toward()[i])
-                    / 2f64.powi(30)
-            })
+            .map(|i| f64::from(normal[i]) / 127.0 * f64::from(light.toward()[i]) / 2f64.powi(30))
             .sum();
         (light.ambient().to_num::<f64>() + light.diffuse().to_num::<f64>() * dot.max(0.0)).min(1.0)
     }

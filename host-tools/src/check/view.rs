@@ -7,7 +7,7 @@ use embedded_graphics_core::{
 use rasterizer::{
     camera::{Camera, CameraError, Distance, Orthographic, Perspective},
     geometry::Pose,
-    numbers::{Angle, Rotation, Scalar, Vec3},
+    numbers::{Rotation, Scalar, Turn, Vec3},
     output::FrameError,
     scene::ProjectError,
     shade::{Level, Light},
@@ -329,10 +329,10 @@ pub(super) fn triangle_colors(model: &Model) -> Vec<[f64; 3]> {
 const ANGLE_STEPS: f64 = 4_294_967_296.0;
 
 /// The nearest angle that the core has.
-fn angle(degrees: f64) -> Angle {
+fn angle(degrees: f64) -> Turn {
     let steps = (degrees / 360.0).rem_euclid(1.0) * ANGLE_STEPS;
     // A turn that rounds up to a whole one wraps to none.
-    Angle::from_bits(steps.round() as u64 as u32)
+    Turn::from_bits(steps.round() as u64 as u32)
 }
 
 fn checked(what: &'static str, value: f64, least: f64, most: f64) -> Result<f64, ViewError> {

@@ -14,7 +14,7 @@ use super::{
 };
 
 /// The longest line of a table.
-const WIDTH: usize = 118;
+const WIDTH: usize = 100;
 
 /// The source file of a model. Equal models give equal text.
 #[must_use]
@@ -39,10 +39,7 @@ fn header(out: &mut String, model: &Model) -> std::fmt::Result {
         writeln!(out, "// {line}")?;
     }
     writeln!(out, "//")?;
-    writeln!(
-        out,
-        "// A table that no shader uses can be left out: convert again with fewer contents, or write `&[]` for it below."
-    )
+    writeln!(out, "// To leave out a table that no shader uses, convert again with fewer contents.")
 }
 
 fn options(options: &Options) -> String {
@@ -66,10 +63,23 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
         (thousands(model.positions.len()), thousands(model.report.triangles));
     writeln!(out)?;
     writeln!(out, "/// {file}: {vertices} vertices, {triangles} triangles.")?;
+    // A file may name all the tables that this version has, and others come with the next one.
+    writeln!(
+        out,
+        "#[allow(clippy::needless_update, reason = \"a later version has more tables\")]"
+    )?;
     writeln!(out, "#[rustfmt::skip]")?;
     writeln!(out, "pub static {name}: ::rasterizer::mesh::Mesh<'static> = {{")?;
     writeln!(out, "    use ::rasterizer::{{")?;
-    writeln!(out, "        mesh::{{Material, Mesh, Tables, Triangles}},")?;
+    let columns: String = [
+        (!(model.vertex_normals.is_empty() && model.face_normals.is_empty()), "Normals, "),
+        (true, "Positions, Tables, "),
+        (!model.texture_coordinates.is_empty(), "TextureCoordinates, "),
+    ]
+    .into_iter()
+    .filter_map(|(used, names)| used.then_some(names))
+    .collect();
+    writeln!(out, "        mesh::{{Material, Mesh, {columns}Triangles}},")?;
     writeln!(out, "        numbers::{{Scale, Vec3}},")?;
     writeln!(out, "    }};")?;
     table(out, "POSITIONS", "[i16; 3]", model.positions.iter().map(row))?;
@@ -88,10 +98,8 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     };
     table(out, "MATERIALS", "Material", model.materials.iter().map(material))?;
     let (mantissa, exponent) = (model.scale.mantissa(), model.scale.exponent());
-    let reference =
-        |name: &'static str, empty: bool| if empty { "&[]".into() } else { format!("&{name}") };
     writeln!(out, "    Mesh::new_const(Tables {{")?;
-    writeln!(out, "        positions: &POSITIONS,")?;
+    writeln!(out, "        positions: Positions::I16(&POSITIONS),")?;
     writeln!(
         out,
         "        scale: Scale::new(0x{:04X}_{:04X}, {exponent}),",
@@ -99,16 +107,21 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
         mantissa & 0xFFFF
     )?;
     writeln!(out, "        offset: Vec3::from_bits({}),", row(&model.offset.to_bits()))?;
-    for (field, table, empty) in [
-        ("vertex_normals", "VERTEX_NORMALS", model.vertex_normals.is_empty()),
-        ("face_normals", "FACE_NORMALS", model.face_normals.is_empty()),
-        ("texture_coordinates", "TEXTURE_COORDINATES", model.texture_coordinates.is_empty()),
-    ] {
-        writeln!(out, "        {field}: {},", reference(table, empty))?;
+    if !model.vertex_normals.is_empty() {
+        writeln!(out, "        vertex_normals: Normals::I8(&VERTEX_NORMALS),")?;
     }
-    writeln!(out, "        texture_fraction_bits: {},", model.texture_fraction_bits)?;
+    if !model.face_normals.is_empty() {
+        writeln!(out, "        face_normals: Normals::I8(&FACE_NORMALS),")?;
+    }
+    if !model.texture_coordinates.is_empty() {
+        writeln!(out, "        texture_coordinates: TextureCoordinates::U16 {{")?;
+        writeln!(out, "            table: &TEXTURE_COORDINATES,")?;
+        writeln!(out, "            fraction_bits: {},", model.texture_fraction_bits)?;
+        writeln!(out, "        }},")?;
+    }
     writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
     writeln!(out, "        materials: &MATERIALS,")?;
+    writeln!(out, "        ..Tables::EMPTY")?;
     writeln!(out, "    }})")?;
     writeln!(out, "}};")
 }
@@ -154,7 +167,7 @@ fn number(number: i32) -> String {
 
 fn material(material: &Material) -> String {
     format!(
-        "Material {{ color: {}, triangle_count: {} }}",
+        "Material::new({}, {})",
         row(&material.color),
         grouped(material.triangle_count as usize, '_')
     )

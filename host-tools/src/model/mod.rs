@@ -34,7 +34,7 @@ use std::{
 };
 
 use rasterizer::{
-    mesh::{Material, Mesh, Tables, Triangles},
+    mesh::{Material, Mesh, Normals, Positions, Tables, TextureCoordinates, Triangles},
     numbers::{Scale, Vec3},
 };
 
@@ -318,13 +318,15 @@ impl Model {
     #[must_use]
     pub fn mesh(&self) -> Mesh<'_> {
         Mesh::new_const(Tables {
-            positions: &self.positions,
+            positions: Positions::I16(&self.positions),
             scale: self.scale,
             offset: self.offset,
-            vertex_normals: &self.vertex_normals,
-            face_normals: &self.face_normals,
-            texture_coordinates: &self.texture_coordinates,
-            texture_fraction_bits: self.texture_fraction_bits,
+            vertex_normals: Normals::I8(&self.vertex_normals),
+            face_normals: Normals::I8(&self.face_normals),
+            texture_coordinates: TextureCoordinates::U16 {
+                table: &self.texture_coordinates,
+                fraction_bits: self.texture_fraction_bits,
+            },
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
         })
@@ -385,7 +387,7 @@ fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Mater
         if rank[material] == usize::MAX {
             rank[material] = used.len();
             used.push(material);
-            materials.push(Material { color: colors[material], triangle_count: 0 });
+            materials.push(Material::new(colors[material], 0));
         }
         materials[rank[material]].triangle_count += 1;
     }

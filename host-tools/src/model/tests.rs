@@ -181,15 +181,14 @@ fn a_cube_has_hard_edges_at_60_degrees_and_none_at_180() {
 #[test]
 fn materials_are_sorted_counted_and_dropped_if_unused() {
     let model = cube(&Options::default());
-    let material = |color, triangle_count| Material { color, triangle_count };
-    assert_eq!(model.materials, [material([128, 0, 0], 8), material([0, 0, 255], 4)]);
+    assert_eq!(model.materials, [Material::new([128, 0, 0], 8), Material::new([0, 0, 255], 4)]);
     let blue = &model.exact.face_normals[8..];
     assert!(blue.iter().all(|n| n[0].abs() == 1.0), "{blue:?}");
     assert_eq!(model.warnings, [""; 0]);
     assert_eq!(model.inputs.len(), 2);
 
     let grey = load(CUBE, &Options::default()).unwrap();
-    assert_eq!(grey.materials, [material([200; 3], 12)]);
+    assert_eq!(grey.materials, [Material::new([200; 3], 12)]);
     assert!(grey.warnings[0].contains("cube.mtl: "), "{:?}", grey.warnings);
     assert!(grey.warnings[1].contains("m.obj:10: no material library gives `red`"));
 }
@@ -312,13 +311,14 @@ fn emitted_source_of_a_small_model() {
 //   triangles                    3
 //   materials                    8
 //
-// A table that no shader uses can be left out: convert again with fewer contents, or write `&[]` for it below.
+// To leave out a table that no shader uses, convert again with fewer contents.
 
 /// `m.obj`: 3 vertices, 1 triangles.
+#[allow(clippy::needless_update, reason = "a later version has more tables")]
 #[rustfmt::skip]
 pub static TINY_PART: ::rasterizer::mesh::Mesh<'static> = {
     use ::rasterizer::{
-        mesh::{Material, Mesh, Tables, Triangles},
+        mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
         numbers::{Scale, Vec3},
     };
     static POSITIONS: [[i16; 3]; 3] = [
@@ -334,18 +334,17 @@ pub static TINY_PART: ::rasterizer::mesh::Mesh<'static> = {
         [0, 1, 2],
     ];
     static MATERIALS: [Material; 1] = [
-        Material { color: [200, 200, 200], triangle_count: 1 },
+        Material::new([200, 200, 200], 1),
     ];
     Mesh::new_const(Tables {
-        positions: &POSITIONS,
+        positions: Positions::I16(&POSITIONS),
         scale: Scale::new(0xCCCE_666A, -47),
         offset: Vec3::from_bits([0, 0, 0]),
-        vertex_normals: &VERTEX_NORMALS,
-        face_normals: &FACE_NORMALS,
-        texture_coordinates: &[],
-        texture_fraction_bits: 16,
+        vertex_normals: Normals::I8(&VERTEX_NORMALS),
+        face_normals: Normals::I8(&FACE_NORMALS),
         triangles: Triangles::U8(&TRIANGLES),
         materials: &MATERIALS,
+        ..Tables::EMPTY
     })
 };
 "#

@@ -9,7 +9,7 @@ mod projection;
 use embedded_graphics_core::primitives::Rectangle;
 pub use projection::{Distance, Orthographic, Perspective};
 
-use crate::numbers::{Angle, Rotation, Vec3, cross, unit};
+use crate::numbers::{Rotation, Turn, Vec3, cross, unit};
 
 /// The largest width and height of a viewport, in pixels.
 ///
@@ -118,8 +118,8 @@ impl<P> Camera<P> {
     pub fn orbit(
         target: Vec3,
         distance: Distance,
-        yaw: Angle,
-        pitch: Angle,
+        yaw: Turn,
+        pitch: Turn,
         projection: P,
         viewport: Rectangle,
     ) -> Result<Self, CameraError> {
@@ -176,7 +176,7 @@ mod tests {
     use super::*;
 
     const LENS: Perspective =
-        match Perspective::new(Angle::degrees(90), Distance::lit("0.1"), Distance::lit("10")) {
+        match Perspective::new(Turn::degrees(90), Distance::lit("0.1"), Distance::lit("10")) {
             Ok(lens) => lens,
             Err(_) => panic!(),
         };
@@ -195,8 +195,8 @@ mod tests {
         let orbit = Camera::orbit(
             Vec3::ZERO,
             Distance::lit("5"),
-            Angle::ZERO,
-            Angle::ZERO,
+            Turn::ZERO,
+            Turn::ZERO,
             LENS,
             screen(10, 10),
         );
@@ -211,14 +211,14 @@ mod tests {
 
     #[test]
     fn orbit_goes_round_to_the_right_and_up() {
-        let quarter = Angle::QUARTER;
+        let quarter = Turn::QUARTER;
         let lens = LENS;
         let side =
-            Camera::orbit(Vec3::ZERO, Distance::lit("2"), quarter, Angle::ZERO, lens, screen(9, 9))
+            Camera::orbit(Vec3::ZERO, Distance::lit("2"), quarter, Turn::ZERO, lens, screen(9, 9))
                 .unwrap();
         assert_eq!(side.eye(), Vec3::lit("2", "0", "0"));
         let top =
-            Camera::orbit(Vec3::ZERO, Distance::lit("2"), Angle::ZERO, quarter, lens, screen(9, 9))
+            Camera::orbit(Vec3::ZERO, Distance::lit("2"), Turn::ZERO, quarter, lens, screen(9, 9))
                 .unwrap();
         assert_eq!(top.eye(), Vec3::lit("0", "2", "0"));
     }

@@ -3,7 +3,7 @@
 use fixed::types::U16F16;
 
 use super::CameraError;
-use crate::numbers::{Angle, Float};
+use crate::numbers::{Float, Turn};
 
 /// A length or a factor that cannot be negative: Q16.16, up to just under 65,536.
 pub type Distance = U16F16;
@@ -37,7 +37,7 @@ impl Perspective {
     ///
     /// [`CameraError::FieldOfView`] or [`CameraError::DepthRange`].
     pub const fn new(
-        vertical_field_of_view: Angle,
+        vertical_field_of_view: Turn,
         near: Distance,
         far: Distance,
     ) -> Result<Self, CameraError> {
@@ -182,7 +182,7 @@ mod tests {
     #[test]
     fn field_of_view_and_focal_length_agree() {
         for degrees in 1..180 {
-            let lens = Perspective::new(Angle::degrees(degrees), NEAR, FAR).unwrap();
+            let lens = Perspective::new(Turn::degrees(degrees), NEAR, FAR).unwrap();
             let want = 120.0 / (f64::from(degrees).to_radians() / 2.0).tan();
             // The sine of half a degree has 23 significant bits.
             assert!((pixels(lens, 240) / want - 1.0).abs() < 2f64.powi(-20), "{degrees} degrees");
@@ -194,9 +194,9 @@ mod tests {
     #[test]
     fn faults_are_named() {
         let field = |angle| Perspective::new(angle, NEAR, FAR).unwrap_err();
-        assert_eq!(field(Angle::ZERO), CameraError::FieldOfView);
-        assert_eq!(field(Angle::degrees(180)), CameraError::FieldOfView);
-        assert_eq!(field(Angle::degrees(270)), CameraError::FieldOfView);
+        assert_eq!(field(Turn::ZERO), CameraError::FieldOfView);
+        assert_eq!(field(Turn::degrees(180)), CameraError::FieldOfView);
+        assert_eq!(field(Turn::degrees(270)), CameraError::FieldOfView);
         let focal =
             |pixels, near, far| Perspective::with_focal_length(pixels, near, far).unwrap_err();
         assert_eq!(focal(Distance::ZERO, NEAR, FAR), CameraError::Magnification);

@@ -143,7 +143,7 @@ mod tests {
     use crate::{
         camera::{Camera, Distance, Perspective},
         geometry::Pose,
-        mesh::{Tables, Triangles},
+        mesh::Tables,
         numbers::{Rotation, Scale, Vec3},
     };
 
@@ -156,17 +156,7 @@ mod tests {
         .unwrap();
         let viewport = Rectangle::new(Point::zero(), Size::new(64, 64));
         let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, viewport).unwrap();
-        let tables = Tables {
-            positions: &[],
-            scale: Scale::new(1, -10),
-            offset: Vec3::ZERO,
-            vertex_normals: &[],
-            face_normals: &[],
-            texture_coordinates: &[],
-            texture_fraction_bits: 16,
-            triangles: Triangles::U8(&[]),
-            materials: &[],
-        };
+        let tables = Tables { scale: Scale::new(1, -10), ..Tables::EMPTY };
         Transform::new(&camera, &Pose::IDENTITY, &tables)
     }
 

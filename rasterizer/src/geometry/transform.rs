@@ -177,8 +177,8 @@ mod tests {
     use crate::{
         camera::{Orthographic, Perspective},
         geometry::{S4, S8},
-        mesh::{Bounds, Triangles},
-        numbers::{Angle, Float, Rotation, Scale, Vec3},
+        mesh::Positions,
+        numbers::{Float, Rotation, Scale, Turn, Vec3},
     };
 
     const VIEWPORT: embedded_graphics_core::primitives::Rectangle =
@@ -188,16 +188,11 @@ mod tests {
 
     fn tables(positions: &[[i16; 3]]) -> Tables<'_> {
         Tables {
-            positions,
+            positions: Positions::I16(positions),
             // A half-extent of 1.5.
             scale: Scale::new(3, -16),
             offset: Vec3::lit("0.5", "-0.25", "0.125"),
-            vertex_normals: &[],
-            face_normals: &[],
-            texture_coordinates: &[],
-            texture_fraction_bits: 16,
-            triangles: Triangles::U8(&[]),
-            materials: &[],
+            ..Tables::EMPTY
         }
     }
 
@@ -218,7 +213,7 @@ mod tests {
 
     impl Case {
         fn random(state: &mut u64) -> Self {
-            let mut angle = || Angle::from_bits((random(state) as u32) << 16 | 0x1234);
+            let mut angle = || Turn::from_bits((random(state) as u32) << 16 | 0x1234);
             let rotation = Rotation::about_x(angle()) * Rotation::about_y(angle());
             let turn = Rotation::about_z(angle()) * Rotation::about_y(angle());
             let mut vector =
@@ -290,7 +285,7 @@ mod tests {
             if is_seen {
                 seen += 1;
                 assert!(
-                    !transform.is_outside_view(&Bounds::of(&positions).cuboid, [321, 240]),
+                    !transform.is_outside_view(&BoundingBox::of(&positions), [321, 240]),
                     "a box is hidden that shows"
                 );
             }
@@ -338,13 +333,13 @@ mod tests {
 
     #[test]
     fn a_box_beyond_any_one_plane_is_hidden() {
-        let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+        let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
         let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
         let hides = |x: &str, y: &str, z: &str| {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
             let transform = Transform::new(&camera, &pose, &tables(&positions));
-            transform.is_outside_view(&Bounds::of(&positions).cuboid, [321, 240])
+            transform.is_outside_view(&BoundingBox::of(&positions), [321, 240])
         };
         assert!(!hides("0", "0", "-5"));
         for (x, y, z) in [
@@ -368,7 +363,7 @@ mod tests {
             far_off.offset = Vec3::from_bits([offset; 3]);
             let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
             let eye = Vec3::from_bits([!offset; 3]);
-            let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+            let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
             let transform = Transform::new(&camera(eye, lens), &pose, &far_off);
             assert_eq!(transform.check(), Ok(()));
             let ClipVertex { x, y, z, .. } = transform.object_to_clip([0; 3], ());
@@ -399,7 +394,7 @@ mod tests {
             if random(&mut state) > 0 {
                 pose.translation = Vec3::from_bits(turned.map(|c| -(c * 65536.0) as i32));
             }
-            let lens = Perspective::new(Angle::degrees(60), NEAR, FAR).unwrap();
+            let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
             let camera = Camera::at(eye, rotation, lens, VIEWPORT).unwrap();
             let [at, eye] = [pose.translation, camera.eye()].map(|v| bits(v.to_bits(), -16));
             let way: [f64; 3] = core::array::from_fn(|i| at[i] - eye[i]);

@@ -1,15 +1,6 @@
-//! Bounding volumes, in quanta of the position table.
+//! The bounding box of a mesh, in quanta of its positions.
 
-/// What holds all vertices of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Bounds {
-    /// The smallest box along the axes.
-    pub cuboid: BoundingBox,
-    /// A sphere round the middle of that box.
-    pub sphere: BoundingSphere,
-}
-
-/// A box along the axes.
+/// The smallest box along the axes that holds all vertices of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BoundingBox {
     /// Its smallest x, y and z.
@@ -18,26 +9,10 @@ pub struct BoundingBox {
     pub max: [i16; 3],
 }
 
-/// A sphere.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct BoundingSphere {
-    /// Its centre.
-    pub center: [i16; 3],
-    /// Its radius, rounded up: at most 65,535 * sqrt(3) / 2 + 1, which fits.
-    pub radius: u16,
-}
-
-impl Bounds {
-    /// Measures a table of positions; an empty one has bounds of zero size at the origin.
+impl BoundingBox {
+    /// Measures a table of positions. The box of an empty one has no size and is at the origin.
     #[must_use]
     pub const fn of(positions: &[[i16; 3]]) -> Self {
-        let cuboid = BoundingBox::of(positions);
-        Self { cuboid, sphere: BoundingSphere::round(&cuboid, positions) }
-    }
-}
-
-impl BoundingBox {
-    const fn of(positions: &[[i16; 3]]) -> Self {
         if positions.is_empty() {
             return Self { min: [0; 3], max: [0; 3] };
         }
@@ -72,66 +47,22 @@ impl BoundingBox {
     }
 }
 
-impl BoundingSphere {
-    const fn round(cuboid: &BoundingBox, positions: &[[i16; 3]]) -> Self {
-        let center = [
-            middle(cuboid.min[0], cuboid.max[0]),
-            middle(cuboid.min[1], cuboid.max[1]),
-            middle(cuboid.min[2], cuboid.max[2]),
-        ];
-        let mut farthest: u64 = 0;
-        let mut vertex = 0;
-        while vertex < positions.len() {
-            let p = positions[vertex];
-            let distance =
-                square(p[0], center[0]) + square(p[1], center[1]) + square(p[2], center[2]);
-            if distance > farthest {
-                farthest = distance;
-            }
-            vertex += 1;
-        }
-        let root = farthest.isqrt();
-        let radius = if root * root == farthest { root } else { root + 1 };
-        Self { center, radius: radius as u16 }
-    }
-}
-
-const fn middle(a: i16, b: i16) -> i16 {
-    ((a as i32 + b as i32) / 2) as i16
-}
-
-const fn square(a: i16, b: i16) -> u64 {
-    let d = a as i64 - b as i64;
-    (d * d) as u64
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn largest_extent_fits() {
-        let corners = [[i16::MIN; 3], [i16::MAX; 3]];
-        let bounds = Bounds::of(&corners);
-        assert_eq!(bounds.cuboid.min, [i16::MIN; 3]);
-        assert_eq!(bounds.cuboid.max, [i16::MAX; 3]);
-        // sqrt(3) * 32,768 = 56,755.8
-        assert_eq!(bounds.sphere.radius, 56_756);
-    }
-
-    #[test]
-    fn sphere_holds_every_vertex() {
+    fn box_is_the_smallest() {
         let positions = [[0, 0, 0], [10, 0, 0], [0, 7, 0], [3, 3, -9]];
-        let sphere = Bounds::of(&positions).sphere;
-        for p in positions {
-            let d: u64 = (0..3).map(|i| square(p[i], sphere.center[i])).sum();
-            assert!(d <= u64::from(sphere.radius).pow(2), "vertex {p:?} is outside");
-        }
+        assert_eq!(BoundingBox::of(&positions), BoundingBox { min: [0, 0, -9], max: [10, 7, 0] });
+        let extremes = [[i16::MIN; 3], [i16::MAX; 3]];
+        let [min, max] = extremes;
+        assert_eq!(BoundingBox::of(&extremes), BoundingBox { min, max });
     }
 
     #[test]
     fn corners_are_all_different() {
-        let corners = Bounds::of(&[[-1, -2, -3], [1, 2, 3]]).cuboid.corners();
+        let corners = BoundingBox::of(&[[-1, -2, -3], [1, 2, 3]]).corners();
         for (i, a) in corners.iter().enumerate() {
             assert!(corners[..i].iter().all(|b| a != b), "corner {i} repeats");
         }

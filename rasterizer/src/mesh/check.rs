@@ -4,10 +4,11 @@ use super::{Tables, Triangles};
 
 /// What is wrong with a model's tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum MeshError {
     /// There is no vertex.
     NoVertices,
-    /// There are more vertices than an index of 16 bits can name.
+    /// There are more vertices than 16-bit indices can name.
     TooManyVertices,
     /// There is no triangle.
     NoTriangles,
@@ -22,7 +23,7 @@ pub enum MeshError {
     FaceNormalCount,
     /// `texture_coordinates` is neither empty nor as long as `positions`.
     TextureCoordinateCount,
-    /// `texture_fraction_bits` is over 16.
+    /// The `fraction_bits` of `texture_coordinates` are over 16.
     TextureFractionBits,
     /// The materials' triangle counts do not add up to the number of triangles.
     MaterialCoverage,
@@ -44,7 +45,9 @@ impl MeshError {
             Self::TextureCoordinateCount => {
                 "`texture_coordinates` must be empty or as long as `positions`"
             }
-            Self::TextureFractionBits => "`texture_fraction_bits` must be 16 or less",
+            Self::TextureFractionBits => {
+                "the `fraction_bits` of `texture_coordinates` must be 16 or less"
+            }
             Self::MaterialCoverage => {
                 "the materials' `triangle_count`s must add up to the number of triangles"
             }
@@ -88,7 +91,7 @@ pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
     if !is_empty_or(tables.texture_coordinates.len(), vertices) {
         return Err(MeshError::TextureCoordinateCount);
     }
-    if tables.texture_fraction_bits > 16 {
+    if tables.texture_coordinates.fraction_bits() > 16 {
         return Err(MeshError::TextureFractionBits);
     }
     materials(tables)

@@ -1,98 +1,97 @@
 //! A model as constant tables that can stay in flash.
 //!
-//! [`Tables`] is what the converter writes: plain slices and numbers. [`Mesh::new`] checks all of
-//! them at once (every index in range, every length equal to its partner's), so that nothing that
-//! draws a mesh has to check again. [`Mesh::new_const`] is the same check for a `static`: a wrong
+//! [`Tables`] is the form in which the converter writes a model: plain slices and numbers.
+//! [`Mesh::new`] checks all of them (every index in range, every length equal to its partner's), so
+//! that drawing does not check again. [`Mesh::new_const`] is the same check for a `static`: a wrong
 //! table does not compile.
 //!
-//! Object space is right-handed with y up, as in OBJ. A vertex lies at `offset + scale * position`
-//! in the model's own units, where `position` holds three integers of 16 bits.
+//! Object space is right-handed with y up, as in OBJ. A vertex is at `offset + scale * position` in
+//! the model's own units, where `position` is three integers.
 
 mod bounds;
 mod check;
+mod columns;
 mod material;
+mod vertex;
 
-pub use bounds::{BoundingBox, BoundingSphere, Bounds};
+pub use bounds::BoundingBox;
 pub use check::MeshError;
+pub use columns::{Normals, Positions, TextureCoordinates, Triangles};
 use embedded_graphics_core::pixelcolor::Rgb888;
 pub use material::MeshMaterial;
+pub(crate) use vertex::VertexColumns;
+pub use vertex::{MeshFace, MeshVertex, RequiredTables};
 
 use crate::numbers::{Scale, Vec3};
 
 /// The tables of a model, before they are checked.
 ///
-/// Tables that a scene does not use may be empty; a shader that needs one says so before the first
-/// pixel.
+/// Name the tables that a model has and take the others from [`EMPTY`](Self::EMPTY): a later
+/// version may have more of them. A shader that needs a table the model lacks is an error before
+/// the first pixel.
+///
+/// ```
+/// use rasterizer::mesh::{Material, Mesh, Positions, Tables, Triangles};
+///
+/// static TRIANGLE: Mesh<'static> = Mesh::new_const(Tables {
+///     positions: Positions::I16(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]]),
+///     triangles: Triangles::U8(&[[0, 1, 2]]),
+///     materials: &[Material::new([255, 160, 0], 1)],
+///     ..Tables::EMPTY
+/// });
+/// assert_eq!(TRIANGLE.triangle_count(), 1);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Tables<'a> {
     /// The vertices' positions in quanta.
-    pub positions: &'a [[i16; 3]],
+    pub positions: Positions<'a>,
     /// The length of a quantum in model units, the same on all three axes.
     pub scale: Scale,
-    /// Where position (0, 0, 0) lies, in model units.
+    /// Where position (0, 0, 0) is, in model units.
     pub offset: Vec3,
-    /// The unit normal of each vertex, 127 standing for 1. Empty, or as long as `positions`.
-    pub vertex_normals: &'a [[i8; 3]],
-    /// The unit normal of each triangle, 127 standing for 1. Empty, or as long as `triangles`.
-    pub face_normals: &'a [[i8; 3]],
-    /// Texture coordinates of each vertex, in units of 2<sup>-`texture_fraction_bits`</sup>; u
-    /// runs to the right and v downwards from the texture's top-left corner. Empty, or as long
-    /// as `positions`.
-    pub texture_coordinates: &'a [[u16; 2]],
-    /// How many of the 16 bits of a texture coordinate lie behind the binary point: 0 to 16.
-    pub texture_fraction_bits: u8,
-    /// Three vertex indices a triangle, counter-clockwise when seen from its front.
+    /// The normal of each vertex: none, or as many as `positions`.
+    pub vertex_normals: Normals<'a>,
+    /// The normal of each triangle: none, or as many as `triangles`.
+    pub face_normals: Normals<'a>,
+    /// The texture coordinates of each vertex: none, or as many as `positions`.
+    pub texture_coordinates: TextureCoordinates<'a>,
+    /// The vertices of each triangle.
     pub triangles: Triangles<'a>,
     /// The materials in the order of the triangles they cover.
     pub materials: &'a [Material],
 }
 
-/// Vertex indices, in the smallest type that holds them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Triangles<'a> {
-    /// For meshes of up to 256 vertices.
-    U8(&'a [[u8; 3]]),
-    /// For meshes of up to 65,536 vertices.
-    U16(&'a [[u16; 3]]),
-}
-
-impl Triangles<'_> {
-    /// The number of triangles.
-    #[must_use]
-    pub const fn len(&self) -> usize {
-        match self {
-            Self::U8(triangles) => triangles.len(),
-            Self::U16(triangles) => triangles.len(),
-        }
-    }
-
-    /// Whether there is no triangle.
-    #[must_use]
-    pub const fn is_empty(&self) -> bool {
-        self.len() == 0
-    }
-
-    /// The vertex indices of triangle `index`, or nothing past the end.
-    #[inline]
-    #[must_use]
-    pub fn get(&self, index: usize) -> Option<[usize; 3]> {
-        match self {
-            Self::U8(triangles) => triangles.get(index).map(|t| t.map(usize::from)),
-            Self::U16(triangles) => triangles.get(index).map(|t| t.map(usize::from)),
-        }
-    }
+impl Tables<'_> {
+    /// No vertices, triangles or materials; a quantum is one unit, and the offset is zero.
+    pub const EMPTY: Tables<'static> = Tables {
+        positions: Positions::I16(&[]),
+        scale: Scale::ONE,
+        offset: Vec3::ZERO,
+        vertex_normals: Normals::None,
+        face_normals: Normals::None,
+        texture_coordinates: TextureCoordinates::None,
+        triangles: Triangles::U8(&[]),
+        materials: &[],
+    };
 }
 
 /// A run of triangles of one colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct Material {
     /// Diffuse colour: red, green, blue, 0 to 255, as stored in pictures (sRGB).
     pub color: [u8; 3],
-    /// How many triangles it covers, counted on from where the material before it ends.
+    /// How many triangles it covers, from the first one after those of the material before it.
     pub triangle_count: u32,
 }
 
 impl Material {
+    /// A material of this colour that covers `triangle_count` triangles.
+    #[must_use]
+    pub const fn new(color: [u8; 3], triangle_count: u32) -> Self {
+        Self { color, triangle_count }
+    }
+
     /// Its colour.
     #[must_use]
     pub const fn rgb(&self) -> Rgb888 {
@@ -105,7 +104,7 @@ impl Material {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Mesh<'a> {
     tables: Tables<'a>,
-    bounds: Bounds,
+    bounds: BoundingBox,
 }
 
 impl<'a> Mesh<'a> {
@@ -113,19 +112,19 @@ impl<'a> Mesh<'a> {
     ///
     /// # Errors
     ///
-    /// The first fault found, with the place it is at.
+    /// Returns the first fault, with its place.
     pub const fn new(tables: Tables<'a>) -> Result<Self, MeshError> {
         if let Err(error) = check::tables(&tables) {
             return Err(error);
         }
-        Ok(Self { tables, bounds: Bounds::of(tables.positions) })
+        Ok(Self { tables, bounds: BoundingBox::of(tables.positions.as_slice()) })
     }
 
     /// [`Mesh::new`] for a `static` or a `const`, where a fault stops the compiler.
     ///
     /// # Panics
     ///
-    /// If the tables are faulty, which in a constant is a compile error that names the fault.
+    /// Panics if the tables are faulty. In a constant that is a compile error which names the fault.
     #[must_use]
     pub const fn new_const(tables: Tables<'a>) -> Self {
         match Self::new(tables) {
@@ -140,9 +139,9 @@ impl<'a> Mesh<'a> {
         &self.tables
     }
 
-    /// The smallest box, and a sphere, that hold all vertices.
+    /// The smallest box that holds all vertices.
     #[must_use]
-    pub const fn bounds(&self) -> &Bounds {
+    pub const fn bounds(&self) -> &BoundingBox {
         &self.bounds
     }
 
@@ -157,23 +156,6 @@ impl<'a> Mesh<'a> {
     pub const fn triangle_count(&self) -> usize {
         self.tables.triangles.len()
     }
-
-    /// The bytes that the tables take in flash.
-    #[must_use]
-    pub const fn flash_bytes(&self) -> usize {
-        let tables = &self.tables;
-        let indices = match tables.triangles {
-            Triangles::U8(triangles) => size_of_val(triangles),
-            Triangles::U16(triangles) => size_of_val(triangles),
-        };
-        size_of_val(tables.positions)
-            + size_of_val(tables.vertex_normals)
-            + size_of_val(tables.face_normals)
-            + size_of_val(tables.texture_coordinates)
-            + size_of_val(tables.materials)
-            + indices
-            + size_of::<Self>()
-    }
 }
 
 #[cfg(test)]
@@ -182,15 +164,10 @@ mod tests {
 
     const POSITIONS: [[i16; 3]; 4] = [[-3, 0, 4], [3, 0, 4], [0, 5, -4], [1, 1, 1]];
     const TETRAHEDRON: Tables<'static> = Tables {
-        positions: &POSITIONS,
-        scale: Scale::ONE,
-        offset: Vec3::ZERO,
-        vertex_normals: &[],
-        face_normals: &[],
-        texture_coordinates: &[],
-        texture_fraction_bits: 16,
+        positions: Positions::I16(&POSITIONS),
         triangles: Triangles::U8(&[[0, 1, 2], [0, 3, 1]]),
-        materials: &[Material { color: [255, 0, 0], triangle_count: 2 }],
+        materials: &[Material::new([255, 0, 0], 2)],
+        ..Tables::EMPTY
     };
     static MESH: Mesh<'static> = Mesh::new_const(TETRAHEDRON);
 
@@ -198,8 +175,8 @@ mod tests {
     fn good_tables_become_a_mesh_at_compile_time() {
         assert_eq!(MESH.vertex_count(), 4);
         assert_eq!(MESH.triangle_count(), 2);
-        assert_eq!(MESH.bounds().cuboid.min, [-3, 0, -4]);
-        assert_eq!(MESH.bounds().cuboid.max, [3, 5, 4]);
+        assert_eq!(MESH.bounds().min, [-3, 0, -4]);
+        assert_eq!(MESH.bounds().max, [3, 5, 4]);
         assert_eq!(MESH.tables().triangles.get(1), Some([0, 3, 1]));
         assert_eq!(MESH.tables().triangles.get(2), None);
     }
@@ -211,16 +188,27 @@ mod tests {
             change(&mut tables);
             Mesh::new(tables).unwrap_err()
         };
-        assert_eq!(fault(|t| t.positions = &[]), MeshError::NoVertices);
+        assert_eq!(fault(|t| t.positions = Positions::I16(&[])), MeshError::NoVertices);
         assert_eq!(fault(|t| t.triangles = Triangles::U8(&[])), MeshError::NoTriangles);
         assert_eq!(
             fault(|t| t.triangles = Triangles::U16(&[[0, 1, 2], [0, 4, 1]])),
             MeshError::IndexOutOfRange { triangle: 1 }
         );
-        assert_eq!(fault(|t| t.vertex_normals = &[[0, 0, 127]]), MeshError::VertexNormalCount);
-        assert_eq!(fault(|t| t.face_normals = &[[0, 0, 127]]), MeshError::FaceNormalCount);
-        assert_eq!(fault(|t| t.texture_coordinates = &[[0, 0]]), MeshError::TextureCoordinateCount);
-        assert_eq!(fault(|t| t.texture_fraction_bits = 17), MeshError::TextureFractionBits);
+        assert_eq!(
+            fault(|t| t.vertex_normals = Normals::I8(&[[0, 0, 127]])),
+            MeshError::VertexNormalCount
+        );
+        assert_eq!(
+            fault(|t| t.face_normals = Normals::I8(&[[0, 0, 127]])),
+            MeshError::FaceNormalCount
+        );
+        let textured = |table, fraction_bits| {
+            let texture_coordinates = TextureCoordinates::U16 { table, fraction_bits };
+            Mesh::new(Tables { texture_coordinates, ..TETRAHEDRON })
+        };
+        assert_eq!(textured(&[[0, 0]], 16), Err(MeshError::TextureCoordinateCount));
+        assert_eq!(textured(&[[0, 0]; 4], 17), Err(MeshError::TextureFractionBits));
+        assert!(textured(&[[0, 0]; 4], 16).is_ok());
         assert_eq!(fault(|t| t.materials = &[]), MeshError::MaterialCoverage);
     }
 }

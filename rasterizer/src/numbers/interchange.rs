@@ -7,9 +7,9 @@
 use fixed::types::I2F30;
 use micromath::{F32Ext, Quaternion, vector::F32x3};
 
-use super::{Angle, Rotation, Scalar, Vec3, root::inverse_square_root};
+use super::{Rotation, Scalar, Turn, Vec3, root::inverse_square_root};
 
-impl Angle {
+impl Turn {
     /// From radians; what is not finite counts as no turn at all. Exact to the 24 bits of an `f32`.
     #[must_use]
     pub fn from_radians(radians: f32) -> Self {
@@ -80,12 +80,12 @@ mod tests {
 
     #[test]
     fn radians_become_turns() {
-        let near = |a: Angle, b: Angle| (a - b).to_bits().cast_signed().abs() < 1 << 10;
-        assert!(near(Angle::from_radians(core::f32::consts::FRAC_PI_2), Angle::QUARTER));
-        assert!(near(Angle::from_radians(-core::f32::consts::FRAC_PI_2), -Angle::QUARTER));
-        assert!(near(Angle::from_radians(core::f32::consts::TAU), Angle::ZERO));
+        let near = |a: Turn, b: Turn| (a - b).to_bits().cast_signed().abs() < 1 << 10;
+        assert!(near(Turn::from_radians(core::f32::consts::FRAC_PI_2), Turn::QUARTER));
+        assert!(near(Turn::from_radians(-core::f32::consts::FRAC_PI_2), -Turn::QUARTER));
+        assert!(near(Turn::from_radians(core::f32::consts::TAU), Turn::ZERO));
         for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, f32::MAX] {
-            assert_eq!(Angle::from_radians(bad), Angle::ZERO);
+            assert_eq!(Turn::from_radians(bad), Turn::ZERO);
         }
     }
 
@@ -96,7 +96,7 @@ mod tests {
         for length in [1.0f32, 1e-20, 1e20] {
             let half = core::f32::consts::FRAC_1_SQRT_2 * length;
             let r = Rotation::from_quaternion(Quaternion::new(half, 0.0, half, 0.0)).unwrap();
-            let want = Rotation::about_y(Angle::QUARTER);
+            let want = Rotation::about_y(Turn::QUARTER);
             for (got, want) in r.rows().iter().flatten().zip(want.rows().iter().flatten()) {
                 // 2^-22: the inputs have 24 bits.
                 assert!((*got - *want).abs() < I2F30::from_bits(1 << 8), "{got} {want}");

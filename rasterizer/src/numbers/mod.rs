@@ -4,7 +4,7 @@
 //! | type | format | for |
 //! |---|---|---|
 //! | [`Scalar`] | Q16.16 | world coordinates |
-//! | [`Angle`] | Q0.32 turns | angles |
+//! | [`Turn`] | Q0.32 turns | angles |
 //! | [`Rotation`] | Q2.30 | matrices of length-one rows |
 //! | [`Scale`] | 32-bit mantissa, exponent | the length of a mesh's quantum |
 //!
@@ -12,7 +12,6 @@
 //! inverse square root 2<sup>-28</sup>, sine and cosine 2<sup>-28</sup>, rotations orthonormal to
 //! 2<sup>-26</sup>.
 
-mod angle;
 pub(crate) mod codegen;
 mod divide;
 mod float;
@@ -23,9 +22,9 @@ mod root;
 mod rotation;
 mod scale;
 mod subpixel;
+mod turn;
 mod vector;
 
-pub use angle::Angle;
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use narrow::{
@@ -38,4 +37,5 @@ pub use rotation::Rotation;
 pub(crate) use rotation::cross;
 pub use scale::Scale;
 pub use subpixel::{S4, S8, Subpixel};
+pub use turn::Turn;
 pub use vector::{Scalar, Vec3};

@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use fixed::types::I2F30;
 
-use super::{Angle, Scalar, Vec3, root::unit};
+use super::{Scalar, Turn, Vec3, root::unit};
 
 /// A rotation: a matrix in Q30 that multiplies column vectors from the left.
 ///
@@ -49,21 +49,21 @@ impl Rotation {
 
     /// About the x axis: a positive angle takes y towards z.
     #[must_use]
-    pub fn about_x(angle: Angle) -> Self {
+    pub fn about_x(angle: Turn) -> Self {
         let (sin, cos) = (angle.sin(), angle.cos());
         Self::from_rows([[ONE, ZERO, ZERO], [ZERO, cos, -sin], [ZERO, sin, cos]])
     }
 
     /// About the y axis: a positive angle takes z towards x.
     #[must_use]
-    pub fn about_y(angle: Angle) -> Self {
+    pub fn about_y(angle: Turn) -> Self {
         let (sin, cos) = (angle.sin(), angle.cos());
         Self::from_rows([[cos, ZERO, sin], [ZERO, ONE, ZERO], [-sin, ZERO, cos]])
     }
 
     /// About the z axis: a positive angle takes x towards y.
     #[must_use]
-    pub fn about_z(angle: Angle) -> Self {
+    pub fn about_z(angle: Turn) -> Self {
         let (sin, cos) = (angle.sin(), angle.cos());
         Self::from_rows([[cos, -sin, ZERO], [sin, cos, ZERO], [ZERO, ZERO, ONE]])
     }
@@ -190,22 +190,22 @@ mod tests {
 
     #[test]
     fn axes_turn_the_right_way() {
-        assert_eq!(Rotation::about_x(Angle::QUARTER) * Vec3::Y, Vec3::Z);
-        assert_eq!(Rotation::about_y(Angle::QUARTER) * Vec3::Z, Vec3::X);
-        assert_eq!(Rotation::about_z(Angle::QUARTER) * Vec3::X, Vec3::Y);
+        assert_eq!(Rotation::about_x(Turn::QUARTER) * Vec3::Y, Vec3::Z);
+        assert_eq!(Rotation::about_y(Turn::QUARTER) * Vec3::Z, Vec3::X);
+        assert_eq!(Rotation::about_z(Turn::QUARTER) * Vec3::X, Vec3::Y);
     }
 
     #[test]
     fn stays_orthonormal() {
         let mut r = Rotation::IDENTITY;
-        let step = Rotation::about_x(Angle::degrees(7)) * Rotation::about_y(Angle::degrees(13));
+        let step = Rotation::about_x(Turn::degrees(7)) * Rotation::about_y(Turn::degrees(13));
         for _ in 0..100_000 {
             r = (step * r).orthonormalized();
         }
         assert!(skew(&r) < 2f64.powi(-25), "2^{}", skew(&r).log2());
         for degrees in 0..360 {
-            let r = Rotation::about_z(Angle::degrees(degrees))
-                * Rotation::about_x(Angle::degrees(degrees * 7));
+            let r = Rotation::about_z(Turn::degrees(degrees))
+                * Rotation::about_x(Turn::degrees(degrees * 7));
             assert!(skew(&r) < 2f64.powi(-26), "{degrees}: 2^{}", skew(&r).log2());
             let back = r * r.inverse();
             let near = |a: I2F30, b: I2F30| (a - b).abs() < I2F30::from_bits(16);

@@ -1,6 +1,9 @@
 //! What can go wrong with drawing an object.
 
-use crate::{geometry::PoseError, mesh::Tables, shade::RequiredTables};
+use crate::{
+    geometry::PoseError,
+    mesh::{RequiredTables, Tables},
+};
 
 /// Why an object cannot be drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -13,19 +13,14 @@ use crate::{
 ///
 /// ```
 /// use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*};
-/// # use rasterizer::{mesh::{Material, Mesh, Tables, Triangles}, numbers::{Scale, Vec3}};
+/// # use rasterizer::mesh::{Material, Mesh, Positions, Tables, Triangles};
 /// use rasterizer::{prelude::*, scene::Needs};
 ///
 /// # static SQUARE: Mesh<'static> = Mesh::new_const(Tables {
-/// #     positions: &[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]],
-/// #     scale: Scale::ONE,
-/// #     offset: Vec3::ZERO,
-/// #     vertex_normals: &[],
-/// #     face_normals: &[],
-/// #     texture_coordinates: &[],
-/// #     texture_fraction_bits: 16,
+/// #     positions: Positions::I16(&[[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]),
 /// #     triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
-/// #     materials: &[Material { color: [255, 160, 0], triangle_count: 2 }],
+/// #     materials: &[Material::new([255, 160, 0], 2)],
+/// #     ..Tables::EMPTY
 /// # });
 /// // A square of two triangles on 240 x 240 pixels, sixteen rows at a time.
 /// const NEEDS: Needs = Needs::of(&SQUARE, Size::new(240, 240), 16);

@@ -18,11 +18,11 @@ use crate::{
         ClipVertex, Clipping, Culling, MAX_CORNERS, PoseError, Projection, ScreenVertex, Transform,
         clip,
     },
-    mesh::{MeshMaterial, Tables},
+    mesh::{MeshFace, MeshMaterial, MeshVertex, Tables, VertexColumns},
     numbers::{Subpixel, codegen},
     output::{Blending, Target},
     raster::{Gradients, Triangle, Window, first_center, signed_area},
-    shade::{Face, MeshFace, MeshVertex, OnScreen, Shader},
+    shade::{Face, OnScreen, Shader},
 };
 
 /// The corners of a triangle on the screen.
@@ -65,9 +65,8 @@ impl<'a, V, P: Projection, Sh: Shader, M: Mode> Projected<'a, V, P, Sh, M> {
             mode: object.mode,
             order: MeshOrder,
         };
-        let cuboid = &object.mesh.bounds().cuboid;
         seen.is_outside_view =
-            M::Clipping::CUTS && seen.transform.is_outside_view(cuboid, seen.size());
+            M::Clipping::CUTS && seen.transform.is_outside_view(object.mesh.bounds(), seen.size());
         seen
     }
 
@@ -273,14 +272,14 @@ where
             return Ok(());
         }
         let table = self.tables.triangles;
+        let columns = VertexColumns::new(self.tables);
         // Cut to the table here, where compilers see that no index of the run lies beyond it.
         for index in order.indices(run.start..run.end.min(table.len()), reach) {
             let Some(indices) = table.get(index) else {
                 break;
             };
-            let place = |index| {
-                on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
-            };
+            let place =
+                |index| on_screen(&self.shader, &self.transform, &MeshVertex::new(&columns, index));
             let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
@@ -326,10 +325,9 @@ where
     #[inline(never)]
     fn is_triangle_outside_view(&self, index: usize) -> bool {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let columns = VertexColumns::new(self.tables);
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
-            bits & self
-                .transform
-                .beyond(MeshVertex::new(self.tables, index).position(), self.size())
+            bits & self.transform.beyond(MeshVertex::new(&columns, index).position(), self.size())
         });
         beyond_all != 0
     }
@@ -340,8 +338,9 @@ where
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let columns = VertexColumns::new(self.tables);
         let triangle = indices.into_iter().map(|index| {
-            let vertex = MeshVertex::new(self.tables, index);
+            let vertex = MeshVertex::new(&columns, index);
             let [x, y, z] = self.transform.object_to_clip_outlined(vertex.position());
             let varyings = self.shader.vertex(&vertex);
             ClipVertex { x, y, z, varyings }
@@ -374,9 +373,8 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     transform: &Transform<P>,
     vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
 ) {
-    // Tables of that length, so that the loop need not look whether they end.
     let count = vertices.len();
-    let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
+    let Some(columns) = VertexColumns::new(tables).first(count, Sh::TABLES) else {
         return;
     };
     // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
@@ -385,7 +383,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
+        *vertex = on_screen(shader, &transform, &MeshVertex::new(&columns, index));
     }
 }
 

@@ -5,10 +5,10 @@ use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
 use fixed::types::U16F16;
 
-use super::{Face, Light, MeshFace, MeshVertex, RequiredTables, Shader, lit::Lit};
+use super::{Face, Light, Shader, lit::Lit};
 use crate::{
     geometry::Pose,
-    mesh::MeshMaterial,
+    mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
 };
 

@@ -3,8 +3,12 @@
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
 use fixed::types::U16F16;
 
-use super::{Light, MeshVertex, Ramp, RequiredTables, Shader, lit::Lit};
-use crate::{geometry::Pose, mesh::MeshMaterial, raster::Fragment};
+use super::{Light, Ramp, Shader, lit::Lit};
+use crate::{
+    geometry::Pose,
+    mesh::{MeshMaterial, MeshVertex, RequiredTables},
+    raster::Fragment,
+};
 
 /// The material's colour, lit at the vertices (Gouraud, *Continuous Shading of Curved Surfaces*,
 /// 1971). Needs [`vertex_normals`](crate::mesh::Tables::vertex_normals).

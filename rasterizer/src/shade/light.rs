@@ -93,7 +93,7 @@ const fn factors(toward: [i32; 3], gain: i32) -> [i32; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numbers::{Angle, Rotation};
+    use crate::numbers::{Rotation, Turn};
 
     const AMBIENT: Level = Level::lit("0.25");
     const DIFFUSE: Level = Level::lit("0.75");
@@ -130,7 +130,7 @@ mod tests {
     fn turning_the_object_turns_the_light_back() {
         let light = Light::new(Vec3::X, AMBIENT, DIFFUSE);
         // A quarter turn about y takes z to x: the side that was +z now faces the light.
-        let pose = Pose::rotated(Rotation::about_y(Angle::QUARTER));
+        let pose = Pose::rotated(Rotation::about_y(Turn::QUARTER));
         assert_eq!(light.for_object(&pose).level([0, 0, 127]), light.level([127, 0, 0]));
     }
 }

@@ -24,7 +24,7 @@ pub use ramp::Ramp;
 use crate::{
     attribute::{Interpolate, Varyings},
     geometry::Pose,
-    mesh::{MeshMaterial, Tables},
+    mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
 };
 
@@ -34,9 +34,9 @@ use crate::{
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 /// use fixed::types::I16F16;
 /// use rasterizer::{
-///     mesh::MeshMaterial,
-///     raster::{Fragment, Gradients},
-///     shade::{Face, MeshFace, MeshVertex, Shader},
+///     mesh::{MeshMaterial, MeshVertex},
+///     raster::Fragment,
+///     shade::Shader,
 /// };
 ///
 /// /// White stripes across the material's colour.
@@ -126,101 +126,4 @@ pub enum Face<C, F> {
     Solid(C),
     /// What its pixels are shaded with.
     Shaded(F),
-}
-
-/// The optional tables of a mesh that a shader reads.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct RequiredTables {
-    /// [`Tables::vertex_normals`].
-    pub vertex_normals: bool,
-    /// [`Tables::face_normals`].
-    pub face_normals: bool,
-    /// [`Tables::texture_coordinates`].
-    pub texture_coordinates: bool,
-}
-
-impl RequiredTables {
-    /// None of them.
-    pub const NONE: Self =
-        Self { vertex_normals: false, face_normals: false, texture_coordinates: false };
-
-    /// A mesh's tables, those of vertices that are read cut to `count`; nothing if one is shorter.
-    #[inline(always)]
-    pub(crate) fn of_vertices<'a>(self, tables: &Tables<'a>, count: usize) -> Option<Tables<'a>> {
-        Some(Tables {
-            positions: tables.positions.get(..count)?,
-            vertex_normals: cut(tables.vertex_normals, count, self.vertex_normals)?,
-            texture_coordinates: cut(tables.texture_coordinates, count, self.texture_coordinates)?,
-            ..*tables
-        })
-    }
-}
-
-#[inline(always)]
-fn cut<T>(table: &[T], count: usize, is_read: bool) -> Option<&[T]> {
-    if is_read { table.get(..count) } else { Some(table) }
-}
-
-/// A vertex of a mesh, read from its tables as far as the shader asks.
-#[derive(Clone, Copy, Debug)]
-pub struct MeshVertex<'a> {
-    tables: &'a Tables<'a>,
-    index: usize,
-}
-
-impl<'a> MeshVertex<'a> {
-    #[inline(always)]
-    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { tables, index }
-    }
-
-    /// Its position in quanta of the mesh.
-    #[inline(always)]
-    #[must_use]
-    pub fn position(&self) -> [i16; 3] {
-        self.tables.positions.get(self.index).copied().unwrap_or_default()
-    }
-
-    /// Its normal in object space, 127 standing for 1.
-    #[inline(always)]
-    #[must_use]
-    pub fn normal(&self) -> [i8; 3] {
-        self.tables.vertex_normals.get(self.index).copied().unwrap_or_default()
-    }
-
-    /// Its texture coordinates, in the mesh's
-    /// [`texture_fraction_bits`](Tables::texture_fraction_bits).
-    #[inline(always)]
-    #[must_use]
-    pub fn texture_coordinates(&self) -> [u16; 2] {
-        self.tables.texture_coordinates.get(self.index).copied().unwrap_or_default()
-    }
-}
-
-/// A triangle of a mesh, read from its tables as far as the shader asks.
-#[derive(Clone, Copy, Debug)]
-pub struct MeshFace<'a> {
-    tables: &'a Tables<'a>,
-    index: usize,
-}
-
-impl<'a> MeshFace<'a> {
-    #[inline(always)]
-    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { tables, index }
-    }
-
-    /// Its place in the table, from 0.
-    #[inline(always)]
-    #[must_use]
-    pub const fn index(&self) -> usize {
-        self.index
-    }
-
-    /// Its normal in object space, 127 standing for 1.
-    #[inline(always)]
-    #[must_use]
-    pub fn normal(&self) -> [i8; 3] {
-        self.tables.face_normals.get(self.index).copied().unwrap_or_default()
-    }
 }

@@ -10,7 +10,7 @@ use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{Pose, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     output::Rgb565Be,
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, OnScreen, Shader},
@@ -87,8 +87,8 @@ pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
 /// How the model is turned in a frame.
 pub(crate) fn pose(frame: u32) -> Pose {
     Pose::rotated(
-        Rotation::about_x(Angle::turns(30, 512))
-            * Rotation::about_y(Angle::turns(64 * frame + 20, 512)),
+        Rotation::about_x(Turn::fraction(30, 512))
+            * Rotation::about_y(Turn::fraction(64 * frame + 20, 512)),
     )
 }
 

@@ -12,7 +12,7 @@ use embedded_graphics_core::{
 use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{Pose, Projection, ScreenVertex},
-    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     output::{Bands, Frame, Rgb565Be},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Light, OnScreen, Shader},
@@ -33,7 +33,7 @@ const ROWS: u32 = 24;
 const BACKGROUND: Rgb565 = Rgb565::new(1, 2, 3);
 const AREA: Rectangle = Rectangle::new(Point::zero(), Size::new(SIDE, SIDE));
 const LENS: Perspective =
-    match Perspective::new(Angle::degrees(40), Distance::lit("0.02"), Distance::lit("100")) {
+    match Perspective::new(Turn::degrees(40), Distance::lit("0.02"), Distance::lit("100")) {
         Ok(lens) => lens,
         Err(_) => panic!("the lens makes no sense"),
     };
@@ -52,7 +52,7 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     let knot = Object::new(&models::TORUS_KNOT, gouraud);
     for frame in 0..4 {
         let pose = Pose::rotated(
-            Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(Angle::turns(frame, 4)),
+            Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(Turn::fraction(frame, 4)),
         );
         // Filling the picture; with the surface through the near plane; from inside.
         for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
@@ -74,9 +74,8 @@ fn flat(memory: &mut Memory<PIXELS>, light: Light) {
     let camera =
         Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; models::CUBE.vertex_count()];
-    let pose = Pose::rotated(
-        Rotation::about_x(Angle::degrees(30)) * Rotation::about_y(Angle::degrees(40)),
-    );
+    let pose =
+        Pose::rotated(Rotation::about_x(Turn::degrees(30)) * Rotation::about_y(Turn::degrees(40)));
     let cube = Object::new(&models::CUBE, Flat::<Rgb565Be>::new(light)).posed(pose);
     let mut frame = Frame::without_depth(&mut memory.color, AREA).unwrap_or_else(fail);
     frame.clear(Rgb565Be::BLACK);

@@ -17,8 +17,8 @@ const EYE: Vec3 = Vec3::lit("0", "1", "3");
 const SUN: Vec3 = Vec3::lit("-1", "2", "3");
 const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
 
-pub fn show<T: DrawTarget<Color = Rgb565>>(display: &mut T, turn: Angle) -> Result<(), T::Error> {
-    let lens = const { Perspective::new(Angle::degrees(40), NEAR, FAR) }.unwrap();
+pub fn show<T: DrawTarget<Color = Rgb565>>(display: &mut T, turn: Turn) -> Result<(), T::Error> {
+    let lens = const { Perspective::new(Turn::degrees(40), NEAR, FAR) }.unwrap();
     let camera = Camera::look_at(EYE, Vec3::ZERO, Vec3::Y, lens, SCREEN).unwrap();
     let rocket =
         Object::new(&ROCKET, Gouraud::new(LIGHT)).posed(Pose::rotated(Rotation::about_y(turn)));

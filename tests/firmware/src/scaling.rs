@@ -4,7 +4,7 @@ use rasterizer::{
     camera::Camera,
     geometry::{Pose, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, S4, S8, Subpixel},
+    numbers::{Rotation, S4, S8, Subpixel, Turn},
     output::Rgb565Be,
     scene::Object,
     shade::Gouraud,
@@ -98,7 +98,7 @@ pub fn run(memory: &mut Memory<PIXELS>, surface: &mut Surface<VERTICES, TRIANGLE
 }
 
 fn about_z(frame: u32) -> Rotation {
-    Rotation::about_z(Angle::turns(64 * frame + 20, 512))
+    Rotation::about_z(Turn::fraction(64 * frame + 20, 512))
 }
 
 /// Measures a point of a curve in both precisions.

@@ -5,8 +5,8 @@ use core::cell::RefCell;
 
 use critical_section::Mutex;
 use rasterizer::{
-    mesh::{Material, Mesh, Tables, Triangles},
-    numbers::{Angle, Scale, Vec3},
+    mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
+    numbers::{Scale, Turn},
 };
 
 use crate::cost::fail;
@@ -38,7 +38,7 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
             positions: [[0; 3]; VERTICES],
             normals: [[0; 3]; VERTICES],
             triangles: [[0; 3]; TRIANGLES],
-            material: [Material { color: [0; 3], triangle_count: 0 }],
+            material: [Material::new([0; 3], 0)],
             vertex_count: 0,
             triangle_count: 0,
         }))
@@ -56,8 +56,8 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
             (self.vertex([0, UNIT, 0], [0, 127, 0]), self.vertex([0, -UNIT, 0], [0, -127, 0]));
         for parallel in 1..=parallels {
             for meridian in 0..meridians {
-                let colatitude = Angle::turns(parallel.into(), 2 * u32::from(parallels + 1));
-                let longitude = Angle::turns(meridian.into(), meridians.into());
+                let colatitude = Turn::fraction(parallel.into(), 2 * u32::from(parallels + 1));
+                let longitude = Turn::fraction(meridian.into(), meridians.into());
                 let direction = [
                     colatitude.sin() * longitude.sin(),
                     colatitude.cos(),
@@ -118,15 +118,12 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
     pub fn mesh(&self) -> Mesh<'_> {
         let vertices = usize::from(self.vertex_count);
         let tables = Tables {
-            positions: &self.positions[..vertices],
+            positions: Positions::I16(&self.positions[..vertices]),
             scale: Scale::new(1 << 31, -31 - UNIT_BITS as i32),
-            offset: Vec3::ZERO,
-            vertex_normals: &self.normals[..vertices],
-            face_normals: &[],
-            texture_coordinates: &[],
-            texture_fraction_bits: 0,
+            vertex_normals: Normals::I8(&self.normals[..vertices]),
             triangles: Triangles::U16(&self.triangles[..self.triangle_count as usize]),
             materials: &self.material,
+            ..Tables::EMPTY
         };
         Mesh::new(tables).unwrap_or_else(fail)
     }
@@ -147,6 +144,6 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
     const fn triangle(&mut self, corners: [u16; 3]) {
         self.triangles[self.triangle_count as usize] = corners;
         self.triangle_count += 1;
-        self.material[0] = Material { color: [200, 160, 60], triangle_count: self.triangle_count };
+        self.material[0] = Material::new([200, 160, 60], self.triangle_count);
     }
 }

@@ -3,7 +3,7 @@
 use std::fs;
 
 use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
-use rasterizer::prelude::Angle;
+use rasterizer::prelude::Turn;
 
 /// A display that keeps its pixels.
 struct Memory(Vec<Rgb565>);
@@ -49,7 +49,7 @@ fn the_readme_quotes_what_is_compiled() {
 #[test]
 fn the_readmes_firmware_draws_a_rocket() {
     let mut display = Memory(vec![Rgb565::WHITE; 240 * 240]);
-    let Ok(()) = firmware::readme::show(&mut display, Angle::degrees(30));
+    let Ok(()) = firmware::readme::show(&mut display, Turn::degrees(30));
     assert!(!display.0.contains(&Rgb565::WHITE), "a band was left out");
     let drawn = display.0.iter().filter(|&&p| p != Rgb565::BLACK).count();
     assert!((4_000..20_000).contains(&drawn), "{drawn} pixels are no rocket");

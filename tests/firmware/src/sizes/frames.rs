@@ -13,7 +13,7 @@ use rasterizer::{
     attribute::{DepthFormat, Interpolate, NoDepth, Varyings},
     camera::Camera,
     geometry::{Pose, Projection, ScreenVertex},
-    numbers::{Angle, Rotation, Subpixel, Vec3},
+    numbers::{Rotation, Subpixel, Turn, Vec3},
     output::{BandAreas, Direct, Frame, Replace, StoredDepth},
     scene::{Mode, Object},
     shade::Shader,
@@ -32,17 +32,17 @@ pub(super) struct View {
     /// Where the camera stands; it looks along -z.
     pub(super) eye: Vec3,
     /// How far the objects have turned.
-    pub(super) turn: Angle,
+    pub(super) turn: Turn,
 }
 
 impl View {
     const fn new(distance: &str, degrees: u32) -> Self {
-        Self { eye: Vec3::lit("0", "0", distance), turn: Angle::degrees(degrees) }
+        Self { eye: Vec3::lit("0", "0", distance), turn: Turn::degrees(degrees) }
     }
 
     /// The pose of the objects.
     pub(super) fn pose(&self) -> Pose {
-        Pose::rotated(Rotation::about_x(Angle::degrees(25)) * Rotation::about_y(self.turn))
+        Pose::rotated(Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(self.turn))
     }
 }
 

@@ -12,7 +12,7 @@ use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{ClipAll, ClipNone, Clipping, CullNone, Projection, ScreenVertex},
     mesh::Mesh,
-    numbers::{Angle, Rotation, S4, S8, Subpixel, Vec3},
+    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     output::{BandAreas, Frame, StoredDepth},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Unlit},
@@ -32,7 +32,7 @@ const NARROW: usize = 240 * ROWS as usize;
 const NEAR: Distance = Distance::lit("0.1");
 const FAR: Distance = Distance::lit("100");
 
-const PERSPECTIVE: Perspective = match Perspective::new(Angle::degrees(40), NEAR, FAR) {
+const PERSPECTIVE: Perspective = match Perspective::new(Turn::degrees(40), NEAR, FAR) {
     Ok(lens) => lens,
     Err(_) => panic!("the lens makes no sense"),
 };

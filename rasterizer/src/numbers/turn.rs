@@ -1,4 +1,4 @@
-//! Angles, sine and cosine.
+//! Angles in turns, sine and cosine.
 
 use core::ops::{Add, Neg, Sub};
 
@@ -6,11 +6,20 @@ use fixed::types::I2F30;
 
 use super::mul_q30;
 
-/// An angle in turns: Q0.32, so that it wraps round by itself. 2<sup>32</sup> steps make a turn.
+/// An angle in turns: Q0.32, so that it wraps round. 2<sup>32</sup> steps make a whole turn.
+///
+/// ```
+/// use rasterizer::numbers::Turn;
+///
+/// assert_eq!(Turn::degrees(90), Turn::QUARTER);
+/// assert_eq!(Turn::fraction(3, 4) + Turn::QUARTER, Turn::ZERO);
+/// ```
+///
+/// The name `Angle` is left to `embedded_graphics::geometry::Angle`, which holds an `f32`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Angle(u32);
+pub struct Turn(u32);
 
-impl Angle {
+impl Turn {
     /// No turn at all.
     pub const ZERO: Self = Self(0);
     /// A quarter of a turn, 90 degrees.
@@ -20,16 +29,16 @@ impl Angle {
     ///
     /// # Panics
     ///
-    /// If the denominator is 0.
+    /// Panics if the denominator is 0.
     #[must_use]
-    pub const fn turns(numerator: u32, denominator: u32) -> Self {
+    pub const fn fraction(numerator: u32, denominator: u32) -> Self {
         Self((((numerator as u64) << 32) / denominator as u64) as u32)
     }
 
     /// Whole degrees.
     #[must_use]
     pub const fn degrees(degrees: u32) -> Self {
-        Self::turns(degrees % 360, 360)
+        Self::fraction(degrees % 360, 360)
     }
 
     /// From steps of 2<sup>-32</sup> turn.
@@ -63,7 +72,7 @@ impl Angle {
     }
 }
 
-impl Add for Angle {
+impl Add for Turn {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -71,7 +80,7 @@ impl Add for Angle {
     }
 }
 
-impl Sub for Angle {
+impl Sub for Turn {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -79,7 +88,7 @@ impl Sub for Angle {
     }
 }
 
-impl Neg for Angle {
+impl Neg for Turn {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -126,7 +135,7 @@ mod tests {
     #[test]
     fn sine_and_cosine_are_within_their_bound() {
         for bits in (0..=u32::MAX).step_by(4099) {
-            let angle = Angle(bits);
+            let angle = Turn(bits);
             let radians = f64::from(bits) / 2f64.powi(32) * core::f64::consts::TAU;
             assert!(
                 (angle.sin().to_num::<f64>() - radians.sin()).abs() < 2f64.powi(-28),
@@ -144,15 +153,15 @@ mod tests {
         let [zero, one] = [I2F30::ZERO, I2F30::ONE];
         let quarters = [(0, zero, one), (1, one, zero), (2, zero, -one), (3, -one, zero)];
         for (quarter, sin, cos) in quarters {
-            let angle = Angle::turns(quarter, 4);
+            let angle = Turn::fraction(quarter, 4);
             assert_eq!((angle.sin(), angle.cos()), (sin, cos), "{quarter} quarters");
         }
     }
 
     #[test]
     fn wraps() {
-        assert_eq!(Angle::turns(7, 8) + Angle::QUARTER, Angle::turns(1, 8));
-        assert_eq!(Angle::turns(1, 8) - Angle::QUARTER, Angle::turns(7, 8));
-        assert_eq!(-Angle::QUARTER, Angle::turns(3, 4));
+        assert_eq!(Turn::fraction(7, 8) + Turn::QUARTER, Turn::fraction(1, 8));
+        assert_eq!(Turn::fraction(1, 8) - Turn::QUARTER, Turn::fraction(7, 8));
+        assert_eq!(-Turn::QUARTER, Turn::fraction(3, 4));
     }
 }
