@@ -1,4 +1,4 @@
-//! A shader of one's own: contour lines on a cube, printed as text.
+//! A user's shader: contour lines on a cube, printed as text.
 //!
 //! `cargo run -p rasterizer --example own_shader`
 
@@ -18,7 +18,8 @@ use rasterizer::{
     shade::Shader,
 };
 
-/// Every other slice through the model is black, the others have the material's red as their grey.
+/// Paints every other horizontal slice of the model black, the others in a grey as bright as the
+/// material's red.
 #[derive(Clone)]
 struct Contours;
 
@@ -39,7 +40,7 @@ impl Shader for Contours {
 
 const END: i16 = 32_767;
 
-/// A cube two units wide. Three bits of a vertex's number say on which side of x, y and z it lies.
+/// A cube two units wide. Bits 0, 1 and 2 of a vertex's index are its side in x, y and z.
 static CUBE: Mesh<'static> = Mesh::new_const(Tables {
     positions: Positions::I16(&[
         [-END, -END, -END],
@@ -77,7 +78,7 @@ const NEAR: Distance = Distance::lit("0.1");
 const FAR: Distance = Distance::lit("10");
 const EYE: Vec3 = Vec3::lit("0", "0", "4");
 
-/// The cube as text, two rows of pixels in one of text.
+/// Draws the cube as text, one line for two rows of pixels.
 pub(crate) fn picture() -> Result<String, Box<dyn std::error::Error>> {
     let screen = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
     let lens = Perspective::new(Turn::degrees(50), NEAR, FAR)?;

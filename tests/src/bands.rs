@@ -1,4 +1,4 @@
-//! A ball before a camera, and its picture in bands.
+//! A ball in front of a camera, and its picture drawn in bands.
 
 use std::convert::Infallible;
 
@@ -21,14 +21,14 @@ use rasterizer::{
 
 use crate::{Surface, area};
 
-/// What no object covers.
+/// The colour of pixels that no object covers.
 pub const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
-/// The display, somewhere.
+/// A display whose corner is not the origin.
 pub const DISPLAY: Rectangle = area(3, -2, 61, 47);
-/// Its rows.
+/// The display's height.
 pub const ROWS: u32 = DISPLAY.size.height;
 
-/// A user's own shader with three varyings: the position is the colour.
+/// A shader with three varyings: the position is the colour.
 #[derive(Clone, Copy, Debug)]
 pub struct Position;
 
@@ -49,20 +49,20 @@ impl Shader for Position {
     }
 }
 
-/// From above.
+/// A light from the upper right, on the viewer's side.
 #[must_use]
 pub const fn light() -> Light {
     Light::new(Vec3::lit("1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"))
 }
 
-/// A ball of 588 triangles and a radius of 1.
+/// A ball of radius 1 with 588 triangles.
 #[must_use]
 pub fn ball() -> Surface {
     Surface::ball(16_384, 7).scaled(-14).with_vertex_normals().colored([250, 220, 150])
 }
 
-/// The materials of a mesh of 588 triangles: runs that begin and end anywhere in words of 32, one
-/// of them empty.
+/// Materials for a mesh of 588 triangles. Their runs begin and end anywhere in words of 32 bits,
+/// and one run is empty.
 pub const MATERIALS: [Material; 6] = [
     Material::new([250, 220, 150], 31),
     Material::new([20, 220, 150], 1),
@@ -72,43 +72,43 @@ pub const MATERIALS: [Material; 6] = [
     Material::new([220, 20, 10], 454),
 ];
 
-/// A camera this far before the origin.
+/// A camera at this distance from the origin, slightly tilted.
 ///
 /// # Panics
 ///
-/// If that is no number.
+/// Panics if `z` is not a number.
 #[must_use]
 pub fn at(z: &str, viewport: Rectangle) -> Camera<Perspective> {
-    // From inside, what is beside the camera is more than 1,024 pixels away from the picture's
-    // middle.
+    // From inside the ball, a near plane this close keeps what lies beside the camera: more than
+    // 1,024 pixels from the picture's middle.
     let near = if z < "1" { Distance::lit("0.004") } else { Distance::lit("0.25") };
     let lens = Perspective::new(Turn::degrees(70), near, Distance::lit("10")).unwrap();
     let eye = Vec3::new(Scalar::lit("0.1"), Scalar::lit("0.2"), z.parse().unwrap());
     Camera::at(eye, Rotation::about_x(-Turn::degrees(8)), lens, viewport).unwrap()
 }
 
-/// All of the ball; cut by the picture's edges; by the near plane; from inside; there, with
-/// vertices beyond the guard band.
+/// Camera distances: the whole ball is visible; the picture's edges cut it; the near plane cuts it;
+/// from inside; from inside, with vertices beyond the guard band.
 pub const EYES: [&str; 5] = ["3", "1.7", "1.2", "0.9", "0.18"];
 
 /// A display that keeps its pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Screen<C> {
-    /// Which.
+    /// The display's rectangle.
     pub area: Rectangle,
-    /// Row by row; nothing where nothing was sent yet.
+    /// Row by row; `None` for a pixel that has not been sent.
     pub pixels: Vec<Option<C>>,
 }
 
 impl<C: PixelColor> Screen<C> {
-    /// Nothing sent yet.
+    /// A display that has received no pixel.
     #[must_use]
     pub fn new(area: Rectangle) -> Self {
         let pixels = vec![None; area.size.width as usize * area.size.height as usize];
         Self { area, pixels }
     }
 
-    /// The part that shows something.
+    /// The places of the pixels that were sent and differ from the background.
     #[must_use]
     pub fn drawn(&self, background: C) -> Vec<Point> {
         let all = self.area.points().zip(&self.pixels);
@@ -152,11 +152,11 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
     }
 }
 
-/// A kind of depth, and bands in memory of their own.
+/// A depth format, with bands that own their memory.
 pub trait Depth: Sized {
-    /// Its memory.
+    /// The depth buffer.
     type Buffer: DepthBuffer<Format = Self> + Default;
-    /// Bands of `area` of so many rows.
+    /// Bands of `area`, each `rows` high.
     fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self::Buffer>;
 }
 
@@ -185,11 +185,11 @@ impl Depth for NoDepth {
     }
 }
 
-/// A picture of [`DISPLAY`] in bands of so many rows.
+/// Draws [`DISPLAY`] in bands of `rows` rows and returns the picture.
 ///
 /// # Panics
 ///
-/// If a pixel is not sent.
+/// Panics if a pixel is not sent.
 pub fn picture<D: Depth>(
     rows: u32,
     draw: impl FnMut(&mut Frame<'_, Rgb888, D::Buffer>) -> Result<(), Infallible>,

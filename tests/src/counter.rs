@@ -10,8 +10,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
-/// It may lie anywhere, and panics if it is drawn on outside its area: a rasterizer has to stay
-/// inside.
+/// Counts the draws of each pixel. The display may lie anywhere. It panics if a pixel outside its
+/// area is drawn: a rasterizer has to stay inside.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Counter<C> {
     area: Rectangle,
@@ -20,7 +20,7 @@ pub struct Counter<C> {
 }
 
 impl<C> Counter<C> {
-    /// Nothing drawn yet.
+    /// A display on which no pixel has been drawn.
     #[must_use]
     pub fn new(area: Rectangle) -> Self {
         Self {
@@ -40,7 +40,7 @@ impl<C> Counter<C> {
     ///
     /// # Panics
     ///
-    /// Outside the area.
+    /// Panics if the place is outside the area.
     #[must_use]
     pub fn at(&self, x: i32, y: i32) -> u32 {
         self.counts[self.index(Point::new(x, y))]

@@ -22,7 +22,7 @@ const fn coordinate(random: &mut Random) -> i16 {
     if random.coin() { random.pick(&COORDINATES) } else { random.bits() as i16 }
 }
 
-/// A point: at an end of the range, on an axis, or in any magnitude.
+/// A point at an end of the range, on an axis, or of any magnitude.
 #[must_use]
 pub fn place(random: &mut Random) -> Vec3 {
     let range = random.within(0, 31);
@@ -61,7 +61,7 @@ fn surface(random: &mut Random) -> Surface {
     let mut surface = Surface::new(positions, triangles.collect());
     let mantissa = random.pick(&[1, 1 << 31, u32::MAX, 0xABCD_EF01]);
     let exponent = if random.coin() { random.within(-40, 15) } else { random.within(-16, 0) };
-    // From 2^-40 to nearly 2^16 units a quantum.
+    // A quantum of 2^-40 to nearly 2^16 units.
     surface.scale = Scale::new(mantissa | 1 << 31, exponent - 31);
     surface.offset = place(random);
     surface
@@ -77,7 +77,7 @@ fn pose(random: &mut Random) -> Pose {
     pose.at(place(random))
 }
 
-/// A viewport of any shape, a third of them at the ends of the offsets.
+/// A viewport of any shape, at the origin, at an end of the offsets or anywhere in between.
 #[must_use]
 pub fn viewport(random: &mut Random) -> Rectangle {
     let mut side = || random.pick(&[1u32, 2, 3, 17, 64, 240, 320, 2047, 2048]);
@@ -101,7 +101,7 @@ pub fn distance(random: &mut Random) -> Distance {
     Distance::from_bits(bits.max(1))
 }
 
-/// The distances of a near and a far plane.
+/// The distances of a near plane and of a far plane beyond it.
 #[must_use]
 pub fn depth_range(random: &mut Random) -> [Distance; 2] {
     loop {
@@ -112,12 +112,12 @@ pub fn depth_range(random: &mut Random) -> [Distance; 2] {
     }
 }
 
-/// A lens: from a thousandth of a degree to just under half a turn, or any focal length; from 1 /
-/// 65,536 to 65,535.
+/// A lens with a field of view from a thousandth of a degree to just under half a turn, or with any
+/// focal length from 1 / 65,536 to 65,535.
 ///
 /// # Panics
 ///
-/// Never: all of these are lenses.
+/// Never panics: all of these values are valid.
 #[must_use]
 pub fn perspective(random: &mut Random) -> Perspective {
     let [near, far] = depth_range(random);
@@ -141,27 +141,28 @@ pub fn perspective(random: &mut Random) -> Perspective {
 ///
 /// # Panics
 ///
-/// Never: all of these are lenses.
+/// Never panics: all of these values are valid.
 #[must_use]
 pub fn orthographic(random: &mut Random) -> Orthographic {
     let [near, far] = depth_range(random);
     Orthographic::new(distance(random), near, far).unwrap()
 }
 
-/// What is seen, and from where.
+/// An object, and the place of a camera.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
-    /// What is seen.
+    /// The object's surface.
     pub surface: Surface,
-    /// Where it stands.
+    /// The object's pose.
     pub pose: Pose,
-    /// Where the camera stands.
+    /// The camera's position.
     pub eye: Vec3,
-    /// How the camera is turned.
+    /// The camera's rotation.
     pub rotation: Rotation,
 }
 
-/// Every other one puts the camera before the object, so that something is seen.
+/// A random stage. In half of them the camera stands in front of the object, so that something is
+/// visible.
 #[must_use]
 pub fn stage(random: &mut Random) -> Stage {
     let (mut surface, pose, rotation) = (surface(random), pose(random), rotation(random));
@@ -176,11 +177,11 @@ pub fn stage(random: &mut Random) -> Stage {
 }
 
 impl Stage {
-    /// The camera with a lens.
+    /// The camera with this lens and viewport.
     ///
     /// # Panics
     ///
-    /// If the viewport is none.
+    /// Panics if the viewport is invalid.
     #[must_use]
     pub fn camera<P>(&self, lens: P, viewport: Rectangle) -> Camera<P> {
         Camera::at(self.eye, self.rotation, lens, viewport).unwrap()

@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Helpers that the tests share.
 
 pub mod bands;
 mod counter;
@@ -25,7 +25,8 @@ use std::{
 ///
 /// # Panics
 ///
-/// If the folder cannot be read or holds none: a test that finds nothing to test must not pass.
+/// Panics if the folder cannot be read or holds no OBJ file: a test without a model to test must
+/// not pass.
 #[must_use]
 pub fn obj_files(folder: &Path) -> Vec<PathBuf> {
     let entries =
@@ -45,7 +46,7 @@ pub fn shipped_models() -> Vec<PathBuf> {
     obj_files(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../host-tools/models"))
 }
 
-/// The models of the folder that `RASTERIZER_MODELS` names; none if it is not set.
+/// The models in the folder that `RASTERIZER_MODELS` names; none if it is not set.
 #[must_use]
 pub fn other_models() -> Vec<PathBuf> {
     std::env::var_os("RASTERIZER_MODELS")

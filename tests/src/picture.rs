@@ -1,4 +1,4 @@
-//! Colour and depth of a picture, drawn by any shader into a frame of any part of the display.
+//! A picture with colour and depth, drawn by any shader into a frame of any part of the display.
 
 use embedded_graphics::primitives::{PointsIter, Rectangle};
 use rasterizer::{
@@ -14,27 +14,27 @@ use rasterizer::{
 /// The pixels of a part of the display and their stored depth, row by row.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Picture<C, D> {
-    /// Which part.
+    /// The part of the display.
     pub area: Rectangle,
-    /// The pixels.
+    /// The pixels' colours.
     pub color: Vec<C>,
-    /// Their depth.
+    /// The pixels' stored depths.
     pub depth: Vec<D>,
 }
 
 impl<C: StoredColor, D: StoredDepth> Picture<C, D> {
-    /// Nothing but background.
+    /// A picture in which every pixel is background.
     #[must_use]
     pub fn empty(area: Rectangle, background: C) -> Self {
         let pixels = area.size.width as usize * area.size.height as usize;
         Self { area, color: vec![background; pixels], depth: vec![D::ZERO; pixels] }
     }
 
-    /// Draws an object over it.
+    /// Draws an object over the picture.
     ///
     /// # Panics
     ///
-    /// If the object cannot be drawn.
+    /// Panics if the object cannot be drawn.
     pub fn draw<P: Projection, Sh: Shader<Color = C>>(
         &mut self,
         mesh: &Mesh<'_>,
@@ -48,7 +48,7 @@ impl<C: StoredColor, D: StoredDepth> Picture<C, D> {
         assert_eq!(drawn, Ok(()));
     }
 
-    /// A part of it; pixels that it does not have are background.
+    /// The picture of `area`: the pixels that both have, and background elsewhere.
     #[must_use]
     pub fn crop(&self, area: Rectangle, background: C) -> Self {
         let mut cropped = Self::empty(area, background);

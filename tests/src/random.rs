@@ -12,7 +12,7 @@ impl Random {
         Self(seed)
     }
 
-    /// Any 64 bits.
+    /// The next 64 bits.
     pub const fn bits(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -24,22 +24,22 @@ impl Random {
     ///
     /// # Panics
     ///
-    /// If there is none.
+    /// Panics if `least > most`.
     pub fn within(&mut self, least: i32, most: i32) -> i32 {
         let count = u64::try_from(i64::from(most) - i64::from(least) + 1).expect("least <= most");
         (i64::from(least) + (self.bits() % count) as i64) as i32
     }
 
-    /// Heads or tails.
+    /// True or false, equally often.
     pub const fn coin(&mut self) -> bool {
         self.bits() >> 63 == 0
     }
 
-    /// One of these.
+    /// A random element.
     ///
     /// # Panics
     ///
-    /// If there are none.
+    /// Panics if there are none.
     pub const fn pick<T: Copy>(&mut self, from: &[T]) -> T {
         from[(self.bits() % from.len() as u64) as usize]
     }

@@ -1,11 +1,11 @@
-//! A display that writes down what it is asked for, and breaks when it is told to.
+//! A display that records its calls, and fails after a chosen number of them.
 
 use embedded_graphics::{
     Pixel, draw_target::DrawTarget, geometry::Dimensions, pixelcolor::PixelColor,
     primitives::Rectangle,
 };
 
-/// What a display was asked for.
+/// A call that a display received.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Call<C: PixelColor> {
     /// Pixels one by one.
@@ -18,11 +18,11 @@ pub enum Call<C: PixelColor> {
     Clear(C),
 }
 
-/// The bus to the display is down.
+/// The error of a display that fails.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BusError;
 
-/// Keeps all calls, also the one that failed.
+/// Records all calls, including the ones that fail.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recorder<C: PixelColor> {
     area: Rectangle,
@@ -31,19 +31,19 @@ pub struct Recorder<C: PixelColor> {
 }
 
 impl<C: PixelColor> Recorder<C> {
-    /// A display that works.
+    /// A display that never fails.
     #[must_use]
     pub const fn new(area: Rectangle) -> Self {
         Self::failing_after(area, usize::MAX)
     }
 
-    /// A display of which the first `calls` calls succeed.
+    /// A display that fails after `calls` successful calls.
     #[must_use]
     pub const fn failing_after(area: Rectangle, calls: usize) -> Self {
         Self { area, calls: Vec::new(), works_for: calls }
     }
 
-    /// What it was asked for.
+    /// The recorded calls.
     #[must_use]
     pub fn calls(&self) -> &[Call<C>] {
         &self.calls

@@ -1,4 +1,4 @@
-//! A mesh before a camera, and how many layers of it lie over each pixel.
+//! A mesh in front of a camera, and the number of its layers over each pixel.
 
 use std::convert::Infallible;
 
@@ -35,7 +35,7 @@ pub const fn area(x: i32, y: i32, width: u32, height: u32) -> Rectangle {
 ///
 /// # Panics
 ///
-/// If there is no such viewport.
+/// Panics if the viewport is too large.
 #[must_use]
 pub fn pixel_camera(viewport: Rectangle) -> Camera<Orthographic> {
     let height = Distance::from_num(viewport.size.height);
@@ -45,19 +45,19 @@ pub fn pixel_camera(viewport: Rectangle) -> Camera<Orthographic> {
         .expect("the viewport is not too large")
 }
 
-/// A mesh before a camera.
+/// A mesh in front of a camera.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'a, P> {
-    /// What is seen.
+    /// The mesh.
     pub mesh: &'a Mesh<'a>,
-    /// Where it stands.
+    /// The mesh's pose.
     pub pose: Pose,
-    /// Who sees it.
+    /// The camera.
     pub camera: Camera<P>,
 }
 
 impl<'a, P: Projection> Scene<'a, P> {
-    /// The mesh as it was built.
+    /// The mesh in the identity pose.
     #[must_use]
     pub const fn new(mesh: &'a Mesh<'a>, camera: Camera<P>) -> Self {
         Self { mesh, pose: Pose::IDENTITY, camera }
@@ -67,11 +67,11 @@ impl<'a, P: Projection> Scene<'a, P> {
         Object::new(self.mesh, Unlit::new()).posed(self.pose).culled(K::default())
     }
 
-    /// How often each pixel of a part of the display is drawn.
+    /// Counts how often each pixel of `part` is drawn.
     ///
     /// # Panics
     ///
-    /// If the object cannot be drawn, or is drawn outside.
+    /// Panics if the object cannot be drawn, or is drawn outside `part`.
     #[must_use]
     pub fn count<S: Subpixel, K: Culling>(&self, part: Rectangle) -> Counter<Rgb888> {
         let mut counter = Counter::new(part);
@@ -82,11 +82,10 @@ impl<'a, P: Projection> Scene<'a, P> {
         counter
     }
 
-    /// How many more layers of front faces than of back faces lie over each pixel of a part of the
-    /// display.
+    /// Returns for each pixel of `part` how many more front faces than back faces cover it.
     ///
-    /// The boundary of a surface alone decides it, whatever rounding does to the vertices in
-    /// between: each inner edge is run along once in both directions.
+    /// Only the boundary of the surface decides this number; rounding of the vertices in between
+    /// does not change it, because triangles traverse each inner edge once in both directions.
     #[must_use]
     pub fn net<S: Subpixel>(&self, part: Rectangle) -> Vec<i32> {
         let [front, back] = [self.count::<S, CullBack>(part), self.count::<S, CullFront>(part)];
@@ -94,12 +93,12 @@ impl<'a, P: Projection> Scene<'a, P> {
         pairs.map(|(&front, &back)| front as i32 - back as i32).collect()
     }
 
-    /// Where its vertices lie, in pixels from the display's corner; nothing for those that are
-    /// clipped.
+    /// Returns where the vertices lie, in pixels from the display's corner; `None` for those that
+    /// are clipped.
     ///
     /// # Panics
     ///
-    /// If the object cannot be drawn.
+    /// Panics if the object cannot be drawn.
     #[must_use]
     pub fn vertices<S: Subpixel>(&self) -> Vec<Option<[f64; 2]>> {
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
@@ -108,12 +107,12 @@ impl<'a, P: Projection> Scene<'a, P> {
         vertices.iter().map(|v| v.position().map(to_pixels::<S>)).collect()
     }
 
-    /// How many triangles cover each pixel of a part of the display by the f64 reference, on the
-    /// vertices as the core places them.
+    /// Counts how many triangles cover each pixel of `part` in the f64 reference, with the vertices
+    /// where the core places them.
     ///
     /// # Panics
     ///
-    /// If the object cannot be drawn.
+    /// Panics if the object cannot be drawn.
     #[must_use]
     pub fn reference<S: Subpixel, K: Culling>(&self, part: Rectangle) -> Vec<u32> {
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];

@@ -1,5 +1,4 @@
-//! Meshes by construction: sheets, fans, random triangulations, and the closed bodies that tests
-//! walk into.
+//! Meshes for tests: sheets, fans, random triangulations, and closed bodies.
 
 use rasterizer::{
     mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
@@ -22,7 +21,7 @@ pub struct Surface {
 }
 
 impl Surface {
-    /// From its tables, with one unit for a quantum.
+    /// A surface of these positions and triangles, with a quantum of one unit.
     #[must_use]
     pub const fn new(positions: Vec<[i16; 3]>, triangles: Vec<[u16; 3]>) -> Self {
         let materials = [Material::new([200, 100, 50], triangles.len() as u32)];
@@ -36,21 +35,21 @@ impl Surface {
         }
     }
 
-    /// The same with 2^`exponent` units for a quantum.
+    /// The same surface with a quantum of 2^`exponent` units.
     #[must_use]
     pub fn scaled(self, exponent: i32) -> Self {
         let scale = Scale::new(1, exponent);
         Self { scale, ..self }
     }
 
-    /// The same in another colour.
+    /// The same surface in another colour.
     #[must_use]
     pub const fn colored(mut self, color: [u8; 3]) -> Self {
         self.materials[0].color = color;
         self
     }
 
-    /// The same with normals that point away from the origin.
+    /// The same surface with normals that point away from the origin.
     #[must_use]
     pub fn with_vertex_normals(mut self) -> Self {
         let outwards = |p: &[i16; 3]| {
@@ -68,7 +67,7 @@ impl Surface {
         self
     }
 
-    /// The same surface, each triangle starting from any of its corners.
+    /// The same surface, each triangle starting with a random one of its corners.
     #[must_use]
     pub fn rotated(mut self, random: &mut Random) -> Self {
         let triangles = self.triangles.iter_mut();
@@ -76,11 +75,11 @@ impl Surface {
         self
     }
 
-    /// As it is drawn.
+    /// The mesh of this surface.
     ///
     /// # Panics
     ///
-    /// If the tables are faulty.
+    /// Panics if the tables are invalid.
     #[must_use]
     pub fn mesh(&self) -> Mesh<'_> {
         Mesh::new_const(Tables {
@@ -94,10 +93,10 @@ impl Surface {
         })
     }
 
-    /// The rectangle from (`x[0]`, `y[0]`) to (`x[1]`, `y[1]`) in the plane z = 0, in so many
-    /// columns and rows of cells, each cut in two along either diagonal. The corners of the
-    /// cells lie off their places by up to a fifth of a cell, so that all cells stay convex;
-    /// those on the border stay on it.
+    /// The rectangle from (`x[0]`, `y[0]`) to (`x[1]`, `y[1]`) in the plane z = 0. It has
+    /// `cells[0]` columns and `cells[1]` rows of cells, each cut in two along a random diagonal.
+    /// The corners of the cells are moved by up to a fifth of a cell, so that all cells stay
+    /// convex; those on the border stay on it.
     #[must_use]
     pub fn sheet(x: [i16; 2], y: [i16; 2], cells: [usize; 2], random: &mut Random) -> Self {
         let mut place = |range: [i16; 2], cells: usize, index: usize| {
@@ -133,7 +132,7 @@ impl Surface {
         Self::new(positions, triangles).rotated(random)
     }
 
-    /// Triangles round a hub, the rim given counter-clockwise.
+    /// Triangles round a hub. The rim runs counter-clockwise.
     #[must_use]
     pub fn fan(hub: [i16; 3], rim: &[[i16; 3]]) -> Self {
         let positions = std::iter::once(hub).chain(rim.iter().copied()).collect();
@@ -142,8 +141,8 @@ impl Surface {
         Self::new(positions, triangles)
     }
 
-    /// A square of this half width in the plane z = 0, in which random points cut one triangle
-    /// after another in three.
+    /// A square of this half width in the plane z = 0, cut by random points: each splits the
+    /// triangle that contains it in three.
     #[must_use]
     pub fn shattered(half: i16, points: usize, random: &mut Random) -> Self {
         let mut positions =
@@ -158,7 +157,7 @@ impl Surface {
                 (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]) > 0
             };
             let holds = |&[a, b, c]: &[u16; 3]| left_of(a, b) && left_of(b, c) && left_of(c, a);
-            // A point on an edge, or on another point, is left out.
+            // A point on an edge or on another point is skipped.
             if let Some(index) = triangles.iter().position(holds) {
                 let ([a, b, c], n) = (triangles.swap_remove(index), positions.len() as u16);
                 positions.push(p);
@@ -203,7 +202,7 @@ impl Surface {
         Self::new(positions, triangles)
     }
 
-    /// The cube blown up to a ball.
+    /// A ball: [`cube`](Self::cube) with its vertices moved to `radius`.
     #[must_use]
     pub fn ball(radius: i16, cells: usize) -> Self {
         let mut ball = Self::cube(radius, cells);
@@ -215,8 +214,8 @@ impl Surface {
     }
 }
 
-/// Whether every edge of a mesh, taken by the places of its ends, is run along as often in one
-/// direction as in the other.
+/// Whether a mesh is closed: its triangles traverse every edge, identified by the positions of its
+/// ends, equally often in both directions.
 #[must_use]
 pub fn is_closed(mesh: &Mesh<'_>) -> bool {
     let tables = mesh.tables();

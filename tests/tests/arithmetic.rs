@@ -8,7 +8,8 @@ use host_tools::{
 };
 use rasterizer_tests::{other_models, shipped_models};
 
-/// Far away, filling the picture, its surface cut by the near plane, and inside the model.
+/// Camera distances: far away; the model fills the picture; the near plane cuts its surface; inside
+/// the model.
 const DISTANCES: [f64; 4] = [40.0, 3.0, 0.9, 0.05];
 
 fn sweep(path: &std::path::Path) {
@@ -54,7 +55,7 @@ fn judge(model: &Model, view: &View) -> usize {
         model.name,
         outcome.arithmetic
     );
-    // Snapping is off by half a sub-pixel; an eighth of one more is for the transform.
+    // Snapping moves a vertex by up to half a sub-pixel, the transform by up to another eighth.
     let error = outcome.arithmetic.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
     assert!(error <= 0.625, "{}: a vertex is {error} sub-pixels off\n{view:#?}", model.name);
     outcome.arithmetic.pixels

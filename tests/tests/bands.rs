@@ -1,5 +1,6 @@
-//! Frames in bands: with bins and without, with vertices in storage and worked out on the way, one
-//! after the other and by two threads. It is always the picture of the whole frame, bit for bit.
+//! Frames in bands: with and without bins, with stored vertices and with vertices projected on
+//! demand, one band after the other and on two threads. The picture always equals that of the whole
+//! frame, bit for bit.
 
 use std::{cell::Cell, convert::Infallible, thread};
 
@@ -52,7 +53,7 @@ fn bands_equal_the_frame<S, D, Sh, K>(
                 whole == picture::<D>(rows, |band| walked.draw(band)),
                 "walked, {rows} rows from {eye}"
             );
-            // Bins of the bands' height, and of others that the bands overlap in every way.
+            // Bins as high as the bands, and others that the bands overlap in every way.
             for bin_rows in [rows, 1, 5, 16, ROWS, 1000] {
                 let mut bins = vec![!0; bin_words(mesh.triangle_count(), ROWS, bin_rows)];
                 let binned = seen.clone().binned(bin_rows, &mut bins).unwrap();
@@ -91,16 +92,16 @@ fn bands_equal_the_whole_frame_in_every_format() {
     formats::<S8>(CullNone);
 }
 
-/// What is drawn last is seen: with back faces drawn too, each pixel tells the order of two
-/// triangles.
+/// Without depth the last triangle drawn is visible. Back faces are drawn too, so that each pixel
+/// shows which of two triangles came last.
 #[test]
 fn bands_keep_the_order_of_the_triangles() {
     bands_equal_the_frame::<S8, NoDepth, _, _>(&Position, CullNone, SOME.into_iter());
     bands_equal_the_frame::<S4, NoDepth, _, _>(&Unlit::new(), CullNone, SOME.into_iter());
 }
 
-/// A surface in one colour and the same again in another: at equal depths the first stays, in every
-/// band.
+/// A surface in one colour, then the same surface in another: at equal depths the first stays, in
+/// every band.
 #[test]
 fn ties_are_won_by_the_first_in_every_band() {
     let once = ball();
@@ -122,8 +123,8 @@ fn ties_are_won_by_the_first_in_every_band() {
     assert_eq!(shown(Rgb888::new(255, 0, 0)), 0);
 }
 
-/// Frames of any part of the display, inside, across and outside the viewport, get the colours and
-/// depths that they get without bins.
+/// Frames of any part of the display (inside, across and outside the viewport) get the same colours
+/// and depths with and without bins.
 #[test]
 fn bins_serve_any_window() {
     let (ball, mut random) = (ball(), Random::new(7));
@@ -153,8 +154,8 @@ fn bins_serve_any_window() {
     }
 }
 
-/// The bits say exactly which triangles have a column and a row of centres between their corners,
-/// also those that are cut: their pieces count, not what was cut off.
+/// A bit is set exactly if the triangle's bounding box contains a pixel centre of the bin's rows.
+/// Of a clipped triangle the remaining pieces count.
 #[test]
 fn bits_are_those_of_the_triangles_that_reach_a_band() {
     let ball = ball();
@@ -223,8 +224,8 @@ fn bins_need_their_words() {
     assert_eq!((bin_words(0, 240, 16), bin_words(1, 1, 16), bin_words(33, 17, 16)), (0, 1, 4));
 }
 
-/// Bands in any order, and by two threads at once: each has an object, its vertices and its bins to
-/// share, and every other band's memory to itself.
+/// Two threads draw every other band each, in any order. They share the object, its vertices and
+/// its bins; each owns the memory of its bands.
 #[test]
 fn threads_share_a_frame() {
     fn drawn_by_two(seen: &(impl Fn(&mut Frame<'_, Rgb888, &mut [u16]>) + Sync)) -> Vec<Rgb888> {
@@ -279,7 +280,7 @@ fn threads_share_a_frame() {
     }
 }
 
-/// A shader that counts its vertices.
+/// A shader that counts the vertices it is called for.
 #[derive(Clone)]
 struct Counting<'c>(&'c Cell<usize>);
 
@@ -300,8 +301,8 @@ impl Shader for Counting<'_> {
     }
 }
 
-/// Whatever the size of the cache, the picture stays; the larger it is, the fewer vertices are
-/// worked out again; and what is out of the picture costs nothing.
+/// The size of the cache does not change the picture. The larger it is, the fewer vertices are
+/// projected again, and an object outside the picture projects none.
 #[test]
 fn walking_remembers_recent_vertices() {
     fn walked<const N: usize>(mesh: &Mesh<'_>, eye: &str, whole: &Screen<Rgb888>) -> usize {
@@ -327,9 +328,12 @@ fn walking_remembers_recent_vertices() {
             walked::<1000>(&mesh, eye, &whole),
         ];
         match eye {
-            // All corners of all triangles; each vertex once.
+            // Without a cache all corners of all triangles; with a large one each vertex once.
             "3" => {
-                assert_eq!((counts[0], counts[4]), (3 * mesh.triangle_count(), mesh.vertex_count()))
+                assert_eq!(
+                    (counts[0], counts[4]),
+                    (3 * mesh.triangle_count(), mesh.vertex_count())
+                );
             }
             "-30" => assert_eq!(counts, [0; 5]),
             _ => (),

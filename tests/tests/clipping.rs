@@ -1,5 +1,5 @@
-//! Surfaces that reach through the near plane, the far plane and the guard band: they are cut
-//! without a gap and without an overlap, and what is left lies where geometry says.
+//! Surfaces that cross the near plane, the far plane and the guard band: they are cut without a gap
+//! and without an overlap, and what remains lies where geometry puts it.
 
 use embedded_graphics::primitives::Rectangle;
 use rasterizer::{
@@ -31,20 +31,20 @@ fn camera(
     Camera::at(eye, rotation, lens, viewport).unwrap()
 }
 
-/// In view space (right, up, away), the way through a place of the picture, to z = 1.
+/// The ray through a place of the picture, to z = 1, in view space (right, up, away).
 fn ray(viewport: Rectangle, x: f64, y: f64) -> [f64; 3] {
     let [width, height] = [viewport.size.width, viewport.size.height].map(f64::from);
     [(x - width / 2.0) / FOCAL, (height / 2.0 - y) / FOCAL, 1.0]
 }
 
-/// The way in world space.
+/// A ray of view space in world space.
 fn turn(rotation: &Rotation, [right, up, away]: [f64; 3]) -> [f64; 3] {
     let rows = rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
     rows.map(|row| row[0] * right + row[1] * up - row[2] * away)
 }
 
-/// The net number of layers over each pixel where it is certain, of a body that is known as a
-/// function. `layers` gives them for a ray, if it can tell; a pixel is certain where all places
+/// The net number of layers over each pixel where it is certain. `layers` returns the number for
+/// the ray through a place, or `None` if it is too close to call. A pixel is certain if all places
 /// within one and a half pixels agree.
 fn certain(viewport: Rectangle, layers: impl Fn(f64, f64) -> Option<i32>) -> Vec<Option<i32>> {
     let [width, height] = [viewport.size.width, viewport.size.height];
@@ -60,6 +60,7 @@ fn certain(viewport: Rectangle, layers: impl Fn(f64, f64) -> Option<i32>) -> Vec
         .collect()
 }
 
+/// Compares the net number of layers with the certain ones. Returns how many of these are not 0.
 fn agree<S: Subpixel>(
     scene: &Scene<'_, Perspective>,
     certain: &[Option<i32>],
@@ -76,8 +77,8 @@ fn agree<S: Subpixel>(
     certain.iter().flatten().filter(|&&layers| layers != 0).count()
 }
 
-/// The same for a surface whose layers all face the camera: no triangle is turned over by rounding,
-/// so that each pixel is drawn as often as there are layers.
+/// The same for a surface whose layers all face the camera. Rounding turns no triangle over, so
+/// each pixel is drawn once per layer.
 fn draws<S: Subpixel>(
     scene: &Scene<'_, Perspective>,
     certain: &[Option<i32>],
@@ -89,8 +90,8 @@ fn draws<S: Subpixel>(
     agree::<S>(scene, certain, name)
 }
 
-/// A square of 10,000 units in the plane y = 0, in 2 and in 512 triangles, that the camera stands
-/// on, hovers over, and looks along.
+/// A square of 10,000 units in the plane y = 0, in 2 and in 512 triangles. The camera stands on it,
+/// hovers over it, and looks along it.
 #[test]
 fn ground_is_covered_once_up_to_the_horizon() {
     const HALF: f64 = 5000.0;
@@ -98,7 +99,7 @@ fn ground_is_covered_once_up_to_the_horizon() {
     for cells in [1, 16] {
         let mut random = Random::new(7);
         let half = 1 << 14;
-        // In the plane z = 0, and laid down by the pose.
+        // Built in the plane z = 0, and laid down by the pose.
         let mut ground = Surface::sheet([-half, half], [-half, half], [cells; 2], &mut random);
         ground.scale = Scale::new(5000, -14);
         let mesh = ground.mesh();
@@ -161,8 +162,8 @@ fn ground_at_eye_level_draws_nothing() {
 }
 
 /// The scene of `dEQP-GLES2.functional.clipping.polygon_edge.poly_fan`: 240 triangles whose rim
-/// lies far outside all six planes. Each plane through the picture's middle is met by every ray
-/// that it does not run away from.
+/// lies far outside all six planes. Every ray meets each plane through the picture's middle unless
+/// it points away from it.
 #[test]
 fn fans_through_all_planes_are_covered_once() {
     let at = |i: i32| {
@@ -197,8 +198,8 @@ fn fans_through_all_planes_are_covered_once() {
     assert!(covered > 400_000, "{covered}");
 }
 
-/// From inside a closed body every ray leaves it once, by a back face: a cube 20,000 units wide in
-/// 12 and in 3,072 triangles, and balls, whose every triangle is cut somewhere.
+/// From inside a convex body every ray leaves it once, through a back face. The bodies are cubes
+/// 20,000 units wide of 12 and of 3,072 triangles, and balls.
 #[test]
 fn bodies_surround_the_camera() {
     for (name, body) in [
@@ -227,8 +228,8 @@ fn bodies_surround_the_camera() {
     }
 }
 
-/// The near plane cuts a ball open, and the far plane another: a ray sees the difference of what
-/// lies behind the one and what lies behind the other.
+/// The near plane and the far plane cut balls open. A ray that is inside the ball at the near plane
+/// only meets a back face, one that is inside at the far plane only meets a front face.
 #[test]
 fn planes_cut_balls_open() {
     let ball = Surface::ball(16_384, 24).scaled(-14);
@@ -247,8 +248,8 @@ fn planes_cut_balls_open() {
             [distance, near, far].map(|text| text.parse::<f64>().unwrap());
         let certain = certain(VIEWPORT, |px, py| {
             let way = ray(VIEWPORT, px, py);
-            // Whether the ray is inside where it passes a plane; the facets, an eighteenth across
-            // from edge to edge, lie within half a per cent of the sphere.
+            // Whether the ray is inside the ball at a plane's depth. The facets, an eighteenth
+            // across from edge to edge, lie within half a per cent of the sphere.
             let is_inside = |depth: f64| {
                 let radius = (way[0] * depth).hypot(way[1] * depth).hypot(eye - depth);
                 (!(0.995..=1.0).contains(&radius)).then_some(radius < 1.0)
@@ -270,7 +271,7 @@ fn planes_cut_balls_open() {
     assert!(open > 20_000, "{open}");
 }
 
-/// One unit a pixel and 65,535 of them: the guard band cuts all round, and the whole of the largest
+/// Sheets 65,535 pixels wide: the guard band cuts them on all sides, and the whole of the largest
 /// viewport is covered.
 #[test]
 fn sheets_beyond_the_guard_band_are_covered_once() {

@@ -1,8 +1,7 @@
 //! Every pixel centre of a surface is drawn exactly once: no gap and no overlap at shared edges,
-//! whatever the vertices' places, the order of the corners, and the planes that triangles are cut
-//! at.
+//! for all places of the vertices, orders of the corners, and planes that cut triangles.
 //!
-//! Coverage is decided in integers, so nothing here has a tolerance in the number of draws.
+//! Coverage is decided in integers, so the number of draws has no tolerance in these tests.
 
 use std::path::Path;
 
@@ -24,7 +23,7 @@ fn turned(degrees: [u32; 3]) -> Rotation {
     Rotation::about_z(z) * Rotation::about_x(x) * Rotation::about_y(y)
 }
 
-/// A scene before which nothing is clipped: rays leave a closed body as often as they enter it.
+/// Rays leave a closed body as often as they enter it. The scene must not be clipped.
 fn rays_leave<S: Subpixel, P: Projection>(scene: &Scene<'_, P>, name: &str) -> u32 {
     let viewport = scene.camera.viewport();
     assert!(scene.vertices::<S>().iter().all(Option::is_some), "{name}: clipped");
@@ -35,7 +34,7 @@ fn rays_leave<S: Subpixel, P: Projection>(scene: &Scene<'_, P>, name: &str) -> u
     front.counts().iter().sum()
 }
 
-/// Whether the model is closed, so that it could be tested.
+/// Tests a closed model. Returns false for one that is not closed.
 fn closed_model_is_watertight(path: &Path) -> bool {
     let model = Model::load(path, &Options::default()).unwrap_or_else(|error| panic!("{error}"));
     let mesh = model.mesh();
@@ -86,8 +85,8 @@ fn other_closed_models_are_watertight() {
     println!("{closed} of {} models are closed", models.len());
 }
 
-/// A surface of sub-pixel positions that must cover the rectangle from `low` to `high` (x and y in
-/// sub-pixels from the middle, y upwards), and nothing else.
+/// Checks that a surface of sub-pixel positions covers the rectangle from `low` to `high` (x and y
+/// in sub-pixels from the middle, y upwards) and no pixel outside it.
 fn covers_rectangle<S: Subpixel>(surface: Surface, low: [i32; 2], high: [i32; 2], name: &str) {
     let surface = surface.scaled(-(S::BITS as i32));
     let mesh = surface.mesh();
@@ -109,8 +108,7 @@ fn covers_rectangle<S: Subpixel>(surface: Surface, low: [i32; 2], high: [i32; 2]
     assert!(back.counts().iter().all(|&count| count == 0), "{name}: back faces");
 }
 
-/// From cells of 16 pixels to cells of a few sub-pixels, with borders on pixel centres and off
-/// them.
+/// Cells of 16 pixels down to a few sub-pixels, with borders on and off pixel centres.
 #[test]
 fn sheets_cover_their_rectangle_once() {
     fn sheets<S: Subpixel>(seed: u64) {
@@ -182,8 +180,8 @@ fn fans_round_a_pixel_centre_draw_it_once() {
                 let counts = scene.count::<S, CullNone>(VIEWPORT);
                 // The hub (half, half) with y upwards is the centre of pixel (128, 127).
                 assert_eq!(counts.at(128, 127), 1, "{corners} corners, turn {turn}");
-                // Rounding moves the rim by less than a pixel, and the rim's chords come as near as
-                // the cosine says.
+                // Rounding moves the rim by less than a pixel. The rim's chords come as near to the
+                // hub as the cosine of half their angle.
                 let inner = pixel_radius * (std::f64::consts::PI / f64::from(corners)).cos() - 1.0;
                 for (index, &count) in counts.counts().iter().enumerate() {
                     let [dx, dy] = [index % 256, index / 256].map(|c| c as f64);
@@ -240,7 +238,8 @@ fn a_centre_on_a_shared_edge_has_one_owner() {
     edges::<S8>();
 }
 
-/// The same picture wherever on the display the viewport lies, also to the left of it and above.
+/// The picture is the same for all places of the viewport, also to the left of the display and
+/// above it.
 #[test]
 fn pictures_move_by_whole_pixels() {
     let ball = Surface::ball(20_000, 9).scaled(-14);
@@ -264,7 +263,7 @@ fn pictures_move_by_whole_pixels() {
     }
 }
 
-/// Which corner comes first, and which way round they run, decides nothing but the side.
+/// The first corner does not matter; the direction of the corners decides only the side.
 #[test]
 fn order_of_corners_changes_no_pixel() {
     let mut random = Random::new(3);

@@ -1,4 +1,5 @@
-//! What cannot be drawn is refused before the first pixel, and several objects share one frame.
+//! Objects that cannot be drawn are rejected before the first pixel, and several objects share one
+//! frame.
 
 use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
 use fixed::types::U16F16;
@@ -17,7 +18,7 @@ use rasterizer_tests::{Picture, Recorder, Surface, area};
 const DISPLAY: Rectangle = area(0, 0, 40, 30);
 const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
 
-/// Reads texture coordinates.
+/// A shader that reads texture coordinates.
 #[derive(Clone, Debug)]
 struct Textured;
 
@@ -49,7 +50,7 @@ fn perspective() -> Camera {
     Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, lens, DISPLAY).unwrap()
 }
 
-/// Why an object is not drawn; the target must not notice.
+/// Returns why an object is not drawn. Nothing reaches the target.
 fn refused<P: Projection, Sh: Shader<Color = Rgb888>>(
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
@@ -114,13 +115,13 @@ fn shaders_need_their_tables() {
     let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
     picture.draw(&mesh, Textured, &perspective());
     assert!(picture.color.contains(&Rgb888::new(9, 9, 9)));
-    // The one table that is still missing.
+    // One table is still missing.
     let smooth = Object::new(&mesh, Gouraud::new(light()));
     assert_eq!(refused(&smooth, &perspective(), room), ProjectError::NoVertexNormals);
 }
 
-/// Models 2^100 units wide are refused where that is too much; offsets that the scale carries off
-/// by 2^32 units are not.
+/// A model 2^100 units wide is rejected by a parallel projection. An offset that the scale enlarges
+/// to 2^32 units is not.
 #[test]
 fn objects_beyond_all_numbers_are_refused() {
     let far_off = ProjectError::Pose(PoseError);
@@ -146,8 +147,8 @@ fn objects_beyond_all_numbers_are_refused() {
     );
 }
 
-/// A flat ball behind, a smooth one that cuts into it, and one with a shader of the user's: in
-/// whatever order they are drawn, each pixel shows the nearest.
+/// An unlit ball, a smooth one that cuts into it, and one with a user's shader. In every order of
+/// drawing each pixel shows the nearest.
 #[test]
 fn objects_with_different_shaders_hide_each_other() {
     let ball = |offset: Vec3, color: [u8; 3]| {
@@ -164,7 +165,7 @@ fn objects_with_different_shaders_hide_each_other() {
         let mesh = balls[index].mesh();
         match index {
             0 => picture.draw(&mesh, Unlit::new(), &perspective()),
-            // Ambient light alone: the material's colour everywhere.
+            // Ambient light only: the material's colour everywhere.
             1 => picture.draw(&mesh, Gouraud::new(light()), &perspective()),
             _ => picture.draw(&mesh, Blue, &perspective()),
         }
@@ -179,7 +180,7 @@ fn objects_with_different_shaders_hide_each_other() {
         order.into_iter().for_each(|index| draw(&mut together, index));
         let mut seen = [0; 3];
         for pixel in 0..together.color.len() {
-            // Depths may tie; the first drawn wins.
+            // The first drawn wins a tie.
             let winner = order.into_iter().reduce(|best, next| {
                 if alone[next].depth[pixel] > alone[best].depth[pixel] { next } else { best }
             });
@@ -195,7 +196,7 @@ fn objects_with_different_shaders_hide_each_other() {
     }
 }
 
-/// Sees only blue.
+/// A shader that shows only the blue of a material.
 #[derive(Clone, Debug)]
 struct Blue;
 
@@ -218,7 +219,7 @@ impl Shader for Blue {
     }
 }
 
-/// The same surface twice, in two colours: equal depths, and the second leaves no pixel.
+/// The same surface twice, in two colours: depths are equal, and the second changes no pixel.
 #[test]
 fn what_is_drawn_first_wins_a_tie() {
     let [first, second] =

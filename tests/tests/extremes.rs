@@ -1,5 +1,5 @@
 //! The ends of every range: positions, scales, poses, cameras and viewports in all combinations.
-//! Nothing panics, nothing is drawn outside, and what can be known is right.
+//! Nothing panics, nothing is drawn outside the viewport, and every count of layers is right.
 
 use embedded_graphics::{geometry::Point, pixelcolor::Rgb888, primitives::Rectangle};
 use rasterizer::{
@@ -23,8 +23,8 @@ fn part(random: &mut Random, viewport: Rectangle) -> Rectangle {
     area(along(x, width), along(y, height), 40, 40)
 }
 
-/// Whether the object can be drawn; if so it is drawn as the reference says, also in bands. Counts
-/// what is drawn.
+/// Checks that a random object is drawn as by the reference, also in bands, and adds its pixels to
+/// `drawn`. Returns false if the object is rejected.
 fn scene_is_right<S: Subpixel, P: Projection>(
     random: &mut Random,
     lens: P,
@@ -90,7 +90,7 @@ fn random_scenes_are_drawn_as_the_reference_does() {
     assert!(accepted > 120_000 && drawn > 1_000_000, "{accepted} {drawn}");
 }
 
-/// Depth and varyings at all ends, in a frame of 32-bit depth and in its bands.
+/// Depth and varyings at the ends of their ranges, in a frame of 32-bit depth and in its bands.
 #[test]
 fn random_scenes_are_the_same_in_bands() {
     let mut random = Random::new(77);
@@ -126,8 +126,8 @@ fn random_scenes_are_the_same_in_bands() {
     assert!(covered > 80_000, "{covered}");
 }
 
-/// One cell, or none, of the largest and the smallest viewports, at the ends of their offsets, is
-/// left out or drawn twice.
+/// The largest, the smallest and the thinnest viewports, at the ends of their offsets: no pixel is
+/// left out, and none is drawn twice.
 #[test]
 fn viewports_of_all_shapes_are_filled_once() {
     let mut random = Random::new(4);
@@ -140,16 +140,16 @@ fn viewports_of_all_shapes_are_filled_once() {
             let mesh = sheet.mesh();
             let scene = Scene::new(&mesh, pixel_camera(viewport));
             for net in [scene.net::<S4>(viewport), scene.net::<S8>(viewport)] {
-                // In sixteenths the last column's edge lies on the guard band, a sub-pixel further
-                // in.
+                // The right edge of a viewport of 2,048 columns lies on the guard band, whose last
+                // sub-pixel is cut off.
                 assert!(net.iter().all(|&layers| layers == 1), "{viewport:?}");
             }
         }
     }
 }
 
-/// All corners equal, two of them, and all on a line, at the ends of the range: no pixel, from
-/// either side.
+/// Triangles with three equal corners, with two, and with all corners on a line, at the ends of the
+/// range: no pixel is drawn from either side.
 #[test]
 fn triangles_without_area_draw_nothing() {
     let (low, high) = (i16::MIN, i16::MAX);
@@ -182,8 +182,7 @@ fn triangles_without_area_draw_nothing() {
     }
 }
 
-/// What the mesh's scale takes and the pose's scale gives back changes nothing: the camera sees
-/// only their product.
+/// Only the product of the mesh's scale and the pose's scale matters.
 #[test]
 fn scales_of_mesh_and_pose_multiply() {
     let ball = Surface::ball(30_000, 5);

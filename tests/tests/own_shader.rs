@@ -1,11 +1,10 @@
-//! The example of a user's own shader draws what it says.
+//! The example of a user's shader draws contour lines.
 
 #[path = "../../rasterizer/examples/own_shader.rs"]
 #[expect(dead_code, reason = "the example's main is not called")]
 mod own_shader;
 
-/// Background all round, and of both materials the slices that keep their colour and those that do
-/// not.
+/// The background is on all sides, and both materials show coloured slices and black ones.
 #[test]
 fn contours_run_round_the_cube() {
     let text = own_shader::picture().unwrap();

@@ -1,9 +1,9 @@
-//! Vertices lie where the exact numbers say, for cameras and objects of all magnitudes.
+//! Vertices lie where exact arithmetic puts them, for cameras and objects of all magnitudes.
 //!
-//! Clip space counts in units of which the largest coordinate that the object could have makes 2^27
-//! at least: the bound on a coordinate is a power of two at most twice its largest term, and two
-//! more bits are for the sum of four. A coordinate is within [`ERROR`] units of the exact one.
-//! Divided by w that is what a vertex may be off, besides half a sub-pixel for snapping.
+//! The unit of clip space is at most 2^-27 of the largest coordinate that the object could have:
+//! the bound on a coordinate is a power of two at most twice its largest term, and two more bits
+//! are for the sum of four terms. A coordinate is within [`ERROR`] units of the exact one. A vertex
+//! may be off by this error divided by w, and by half a sub-pixel for snapping.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
@@ -19,16 +19,16 @@ use rasterizer_tests::{
     pixel_camera,
 };
 
-/// Three entries, each within half of 2^-14 units and of positions up to 2^15: three units. One for
-/// rounding down, one for the translation, and two for the 31 bits that matrix and translation are
-/// worked out with.
+/// Three units for the three matrix entries, each within half of 2^-14 units and multiplied by
+/// positions up to 2^15. One for rounding down, one for the translation, and two for the 31 bits in
+/// which matrix and translation are computed.
 const ERROR: f64 = 7.0;
 const GUARD: f64 = 1024.0;
 
 /// A projection in f64.
 #[derive(Clone, Copy)]
 struct Lens {
-    /// Pixels for a unit at w = 1.
+    /// Pixels per unit at w = 1.
     magnification: f64,
     is_perspective: bool,
     near: f64,
@@ -60,9 +60,9 @@ type Vector = [f64; 3];
 /// A row of the matrix from quanta to clip space, and its translation.
 type Row = (Vector, f64);
 
-/// Right, down and away, the first two in guard bands at w = 1; and by how much, in world units,
-/// the way from the eye to the model's origin may be off: its coordinates are rounded to 31 bits of
-/// the largest, and the offset to 2^-32 before and after it is scaled.
+/// The matrix's rows (right, down and away, the first two in guard bands at w = 1), and by how
+/// much, in world units, the vector from the eye to the model's origin may be off: its coordinates
+/// are rounded to 31 bits of the largest, and the offset to 2^-32 before and after it is scaled.
 fn matrix(stage: &Stage, lens: &Lens) -> ([Row; 3], f64) {
     let [turn, view] = [stage.pose.rotation, stage.rotation.inverse()]
         .map(|rotation| rotation.rows().map(|row| row.map(|c| c.to_num::<f64>())));
@@ -91,13 +91,13 @@ fn matrix(stage: &Stage, lens: &Lens) -> ([Row; 3], f64) {
     (rows, 3f64.sqrt() * (largest * 2f64.powi(-31) + (scale + 1.0) * 2f64.powi(-32)))
 }
 
-/// How long the unit of clip space is at most, for a coordinate with this row.
+/// The largest length of clip space's unit for a coordinate with this row.
 fn unit((entries, translation): &Row) -> f64 {
     let largest = entries.iter().fold(translation.abs(), |m, c| m.max(c.abs() * 32_768.0));
     largest * 2f64.powi(-27)
 }
 
-/// How many vertices were placed so that a sub-pixel tells.
+/// Checks where the vertices lie. Returns how many of them are known to less than a sub-pixel.
 fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Lens) -> usize {
     let mesh = stage.surface.mesh();
     let scene = Scene { pose: stage.pose, ..Scene::new(&mesh, camera) };
@@ -130,8 +130,8 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
                 && x.abs().max(y.abs()) < limit * w - margin * (across + away)
         };
         let Some(place) = placed.get(index) else {
-            // The whole mesh is out of the picture, which is half a viewport to each side of the
-            // middle.
+            // The whole mesh lies outside the picture, which reaches half a viewport to each side
+            // of the middle.
             let is_seen =
                 x.abs() * GUARD < sides[0] / 2.0 * w && y.abs() * GUARD < sides[1] / 2.0 * w;
             assert!(!(is_certain(1.0, 1.0) && is_seen), "vertex {index} is seen: {stage:?}");
@@ -139,14 +139,14 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
         };
         match place {
             None => {
-                assert!(!is_certain(1.0, 1.0), "vertex {index} is on the screen: {stage:?} {lens}")
+                assert!(!is_certain(1.0, 1.0), "vertex {index} is on the screen: {stage:?} {lens}");
             }
             Some([px, py]) => {
                 assert!(
                     is_certain(-1.0, 1.0),
                     "vertex {index} is not on the screen: {stage:?} {lens}"
                 );
-                // The last sub-pixel of the guard band is cut off it.
+                // The guard band's last sub-pixel is cut off.
                 let subpixel = 1.0 / f64::from(1 << S::BITS);
                 let tolerance = 0.502 * subpixel + GUARD * (across + away) / w.max(1e-300);
                 sharp += usize::from(tolerance < subpixel);
@@ -170,7 +170,7 @@ impl std::fmt::Display for Lens {
     }
 }
 
-/// Whether the core takes the scene; those beyond its numbers are judged in `errors.rs`.
+/// Whether the core accepts the scene. `errors.rs` tests those that it rejects.
 fn is_accepted<P: Projection>(stage: &Stage, camera: &Camera<P>) -> bool {
     let mesh = stage.surface.mesh();
     let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(stage.pose);
@@ -217,8 +217,8 @@ fn vertices_in_perspective_lie_where_they_should() {
     assert!(placed > 10_000, "{placed}");
 }
 
-/// A vertex on the guard band's right or lower end lies in its last sub-pixel; beyond the ends it
-/// is clipped.
+/// A vertex on the guard band's right or lower end is placed in its last sub-pixel; one beyond an
+/// end is clipped.
 #[test]
 fn guard_band_reaches_1024_pixels() {
     fn ends<S: Subpixel>() {

@@ -1,5 +1,5 @@
-//! Bands on their way to a display: their memory, one after the other, while the next is drawn,
-//! only what has changed, and in the order of bytes that a bus takes.
+//! Sending bands to a display: their memory, one band after the other, one while the next is drawn,
+//! only the part that has changed, and the byte order of a bus.
 
 use std::convert::Infallible;
 
@@ -24,7 +24,7 @@ use rasterizer_tests::{
     },
 };
 
-/// The numbers of a mesh are just enough, and their bytes those of the types.
+/// The needs of a mesh are just enough, and their bytes are those of the types.
 #[test]
 fn needs_are_what_drawing_takes() {
     let ball = ball();
@@ -32,8 +32,7 @@ fn needs_are_what_drawing_takes() {
     let needs = Needs::of(&mesh, DISPLAY.size, 5);
     let want = Needs { vertices: mesh.vertex_count(), bin_words: 190, pixels: 305 };
     assert_eq!(needs, want);
-    // 12 bytes for a vertex with depth and light, a word of four, and four of colour and two of
-    // depth for a pixel.
+    // A vertex with depth and light has 12 bytes, a word 4, and a pixel 4 of colour and 2 of depth.
     let bytes = needs.vertices * 12 + 190 * 4 + 305 * 6;
     assert_eq!(needs.bytes::<S8, u16, Gouraud<Rgb888>>(), bytes);
     assert_eq!(needs.bytes::<S8, NoDepth, Unlit<Rgb565>>(), needs.vertices * 8 + 190 * 4 + 305 * 2);
@@ -84,7 +83,7 @@ fn areas_cover_a_rectangle_from_the_top() {
     }
 }
 
-/// Two objects with shaders of their own in one band, and the same bands again for the next frame.
+/// Two objects with different shaders share a band, and the next frame uses the same bands.
 #[test]
 fn objects_share_bands() {
     let (ball, cube) = (ball(), Surface::cube(13_000, 3).scaled(-14));
@@ -122,7 +121,7 @@ fn objects_share_bands() {
     }
 }
 
-/// Whatever was in a band before, the next begins with nothing but background.
+/// A band starts as nothing but background, whether or not its memory held a picture.
 #[test]
 fn bands_begin_cleared() {
     let ball = ball();
@@ -140,8 +139,8 @@ fn bands_begin_cleared() {
     assert!(screen.pixels.iter().all(|&pixel| pixel == Some(other)));
 }
 
-/// Each pixel that is drawn lies in the bounds. If all of the object is in the picture, pixels come
-/// up to every side but for the thin ends of triangles that hold no centre.
+/// Each pixel drawn lies in the bounds. If the whole object is in the picture, pixels reach every
+/// side, except for thin ends of triangles that contain no centre.
 #[test]
 fn bounds_hold_what_is_drawn() {
     let (ball, cube) = (ball(), Surface::cube(14_000, 2).scaled(-14));
@@ -174,7 +173,7 @@ fn bounds_hold_what_is_drawn() {
             };
             assert_eq!(bounds.intersection(&DISPLAY), bounds);
             assert!(drawn.iter().all(|&point| bounds.contains(point)), "round {round}: {bounds:?}");
-            // Centres next to a corner of the outline may lie beside the thin end of its triangles.
+            // At a corner of the outline, centres may lie beside the thin ends of triangles.
             let Some(first) = drawn.first().filter(|_| is_inside) else {
                 continue;
             };
@@ -192,7 +191,7 @@ fn bounds_hold_what_is_drawn() {
     assert!(inside > 100, "{inside} objects inside the picture");
 }
 
-/// The smallest rectangle that holds both.
+/// The smallest rectangle that contains both.
 fn envelope(a: Rectangle, b: Rectangle) -> Rectangle {
     match (a.bottom_right(), b.bottom_right()) {
         (None, _) => b,
@@ -203,8 +202,8 @@ fn envelope(a: Rectangle, b: Rectangle) -> Rectangle {
     }
 }
 
-/// Frame after frame, sending only the bounds of what was drawn and what is drawn now shows the
-/// whole picture.
+/// It is enough to send the union of the last frame's bounds and this frame's: the display shows
+/// the whole picture after every frame.
 #[test]
 fn only_what_changes_is_sent() {
     let ball = ball();
@@ -255,7 +254,7 @@ fn a_display_that_fails_ends_the_frame() {
                 other => panic!("{other:?}"),
             })
             .collect();
-        // The bands are as good as new.
+        // The bands still work after a failure.
         let mut works = Recorder::new(DISPLAY);
         assert_eq!((show(&mut works), works.calls().len()), (Ok(()), 5));
         (shown, areas, drawn - 5)
@@ -268,7 +267,7 @@ fn a_display_that_fails_ends_the_frame() {
     }
 }
 
-/// Two buffers go back and forth: while one is on its way, the next band is drawn in the other.
+/// Two buffers take turns: while one is sent, the next band is drawn into the other.
 #[test]
 fn streams_hand_their_buffers_over() {
     let ball = ball();
@@ -277,7 +276,7 @@ fn streams_hand_their_buffers_over() {
     let seen = Object::new(&mesh, Position).project(&at("1.7", DISPLAY), &mut storage).unwrap();
     let whole = picture::<u16>(ROWS, |frame| seen.draw(frame));
     let mut depth = [0u16; 61 * 6];
-    // Each buffer with its name; its pixels are the first.
+    // A buffer with a name. It is longer than a band.
     struct Named(char, Box<[Rgb888]>);
     impl AsMut<[Rgb888]> for Named {
         fn as_mut(&mut self) -> &mut [Rgb888] {
@@ -303,7 +302,7 @@ fn streams_hand_their_buffers_over() {
     assert_eq!((last.ok().unwrap().0, resting.unwrap().0), ('a', 'b'));
 }
 
-/// The static arrays of a microcontroller, handed over by exchange.
+/// The static arrays of a microcontroller, swapped.
 #[test]
 fn streams_take_static_buffers() {
     let (front, mut back) =
@@ -352,7 +351,7 @@ fn streams_end_with_what_fails() {
     assert_eq!(told.to_string(), "the colour buffer must have 427 pixels");
 }
 
-/// A ball in two colours without depth, in memory that starts at either half of a word.
+/// A ball of several colours without depth, in memory that starts at either half of a word.
 fn filled<C: StoredColor + From<Rgb888> + From<Rgb565>>(skipped: usize) -> Vec<C> {
     let ball = ball();
     let mesh = Mesh::new(Tables { materials: &MATERIALS, ..*ball.mesh().tables() }).unwrap();
@@ -368,7 +367,7 @@ fn filled<C: StoredColor + From<Rgb888> + From<Rgb565>>(skipped: usize) -> Vec<C
     memory
 }
 
-/// Runs of one colour are the same whether they are filled by pixels or by words.
+/// Runs of one colour are the same if filled by pixels and if filled by words.
 #[test]
 fn big_endian_runs_are_rgb565_swapped() {
     for skipped in 0..2 {
@@ -378,7 +377,7 @@ fn big_endian_runs_are_rgb565_swapped() {
     }
 }
 
-/// The same values as RGB565 with their bytes exchanged, in every shader.
+/// In every shader the values are those of RGB565 with their bytes swapped.
 #[test]
 fn big_endian_pixels_are_rgb565_swapped() {
     fn check<Sh: Shader<Color = Rgb565>, Be: Shader<Color = Rgb565Be>>(native: Sh, swapped: Be) {

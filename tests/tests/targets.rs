@@ -1,5 +1,5 @@
-//! One picture in many targets: whole frames, bands, parts of the display, no buffer at all, and
-//! displays that fail.
+//! One picture in many targets: whole frames, bands, parts of the display, displays without a
+//! buffer, and displays that fail.
 
 use embedded_graphics::{
     geometry::Point,
@@ -30,8 +30,7 @@ fn ball() -> Surface {
     Surface::ball(16_384, 7).scaled(-14).with_vertex_normals().colored([250, 220, 150])
 }
 
-/// From 0.2 units before the ball, so that some of it is cut by the near plane and the picture's
-/// edges.
+/// A camera close to the ball: the near plane and the picture's edges cut some of it.
 fn camera(viewport: Rectangle) -> Camera<Perspective> {
     let lens =
         Perspective::new(Turn::degrees(70), Distance::lit("0.25"), Distance::lit("10")).unwrap();
@@ -39,7 +38,7 @@ fn camera(viewport: Rectangle) -> Camera<Perspective> {
         .unwrap()
 }
 
-/// A picture of a ball, and how many of its pixels show it.
+/// The picture of a ball that covers more than 1,000 pixels.
 fn whole<Sh: Shader<Color = Rgb888>>(mesh: &Mesh<'_>, shader: Sh) -> Picture<Rgb888, u16> {
     let mut picture = Picture::empty(DISPLAY, BACKGROUND);
     picture.draw(mesh, shader, &camera(DISPLAY));
@@ -74,8 +73,8 @@ fn bands_of_any_height_equal_the_whole_frame() {
     bands_equal_the_frame(&Position);
 }
 
-/// Frames of parts of the display, also beyond its edges; what the object does not cover keeps its
-/// colour and depth.
+/// Frames of parts of the display, also beyond its edges. Pixels that the object does not cover
+/// keep their colour and depth.
 #[test]
 fn parts_equal_the_same_part_of_the_whole_frame() {
     let ball = ball();
@@ -98,7 +97,7 @@ fn parts_equal_the_same_part_of_the_whole_frame() {
     }
 }
 
-/// The viewport moves on the display, over its edges too, and takes the picture along.
+/// The picture moves with its viewport, also over the display's edges.
 #[test]
 fn viewports_carry_their_picture() {
     let ball = ball();
@@ -132,7 +131,7 @@ fn nothing_is_drawn_beside_the_viewport() {
     }
 }
 
-/// A convex body without its back faces needs no depth: four kinds of target, one picture.
+/// A convex body without its back faces needs no depth, so four kinds of target show one picture.
 #[test]
 fn targets_agree_on_a_convex_body() {
     let cube = Surface::cube(16_384, 1).scaled(-14);
@@ -160,7 +159,7 @@ fn targets_agree_on_a_convex_body() {
     }
 }
 
-/// In memory that is longer than the frame, nothing before and behind it changes.
+/// The memory before and after a frame's part of it does not change.
 #[test]
 fn memory_round_a_frame_is_left_alone() {
     let ball = ball();
@@ -234,9 +233,8 @@ fn frames_are_sent_in_one_run() {
     assert_eq!(frame.present(&mut broken), Err(BusError));
 }
 
-/// An error of the display comes back from the call that it happened in, and no further call is
-/// made.
-fn fails_at_once<Sh: Shader<Color = Rgb888>>(shader: Sh) {
+/// Drawing returns the display's first error, and makes no call after it.
+fn stops_at_the_first_error<Sh: Shader<Color = Rgb888>>(shader: Sh) {
     let ball = ball();
     let mesh = ball.mesh();
     let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; mesh.vertex_count()];
@@ -258,13 +256,13 @@ fn fails_at_once<Sh: Shader<Color = Rgb888>>(shader: Sh) {
 }
 
 #[test]
-fn errors_of_a_display_come_back_at_once() {
-    fails_at_once(Unlit::new());
-    fails_at_once(gouraud());
-    fails_at_once(Position);
+fn drawing_stops_at_the_first_error_of_a_display() {
+    stops_at_the_first_error(Unlit::new());
+    stops_at_the_first_error(gouraud());
+    stops_at_the_first_error(Position);
 }
 
-/// The runs of a ball on a display: its spans.
+/// The spans of a ball, as a display receives them.
 fn spans<Sh: Shader<Color = Rgb888>>(shader: Sh, is_solid: bool) -> Vec<Rectangle> {
     let ball = ball();
     let mesh = ball.mesh();
@@ -282,8 +280,8 @@ fn spans<Sh: Shader<Color = Rgb888>>(shader: Sh, is_solid: bool) -> Vec<Rectangl
     display.calls().iter().map(row).collect()
 }
 
-/// One colour a triangle is one `fill_solid` a span, interpolated colours one `fill_contiguous`;
-/// none is empty.
+/// A span of one colour is one `fill_solid`, a span of interpolated colours one `fill_contiguous`.
+/// None is empty.
 #[test]
 fn spans_are_runs() {
     let solid = spans(Unlit::new(), true);
@@ -292,8 +290,7 @@ fn spans_are_runs() {
     assert_eq!(solid, spans(Position, false));
 }
 
-/// The picture in a colour type is the one of 24 bits, converted: a surface's colours are worked
-/// out before that.
+/// The picture in any colour type is the 24-bit one, converted: colours are computed in 24 bits.
 fn draws_in<C: StoredColor + From<Rgb888> + std::fmt::Debug>(background: C) {
     let ball = ball();
     let mesh = ball.mesh();

@@ -1,5 +1,5 @@
-//! Objects that are not clipped: what reaches beyond the near plane, the far plane or the guard
-//! band is left out triangle by triangle, and all else is drawn as ever.
+//! Objects without clipping: a triangle that reaches beyond the near plane, the far plane or the
+//! guard band is left out as a whole, and all others are drawn as with clipping.
 
 use std::convert::Infallible;
 
@@ -18,8 +18,7 @@ use rasterizer_tests::{
     bands::{BACKGROUND, DISPLAY, Depth, EYES, Position, ROWS, at, ball, picture},
 };
 
-/// The indices of the triangles whose corners all have a place on the screen, with the corners'
-/// indices.
+/// The triangles whose corners all have a place on the screen: their indices and their corners'.
 fn whole<P: Projection>(mesh: &Mesh<'_>, camera: &Camera<P>) -> Vec<(usize, [u16; 3])> {
     let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; mesh.vertex_count()];
     let object = Object::new(mesh, Unlit::<Rgb888>::new()).clipped(ClipNone);
@@ -35,9 +34,8 @@ fn whole<P: Projection>(mesh: &Mesh<'_>, camera: &Camera<P>) -> Vec<(usize, [u16
     all.filter(|(_, corners)| is_whole(corners)).collect()
 }
 
-/// The object without clipping, in every way there is to draw it, is the mesh of its whole
-/// triangles with clipping. Returns how many triangles were left out, and how many pixels are
-/// drawn.
+/// Checks that the object without clipping, drawn in every possible way, equals a mesh of its whole
+/// triangles with clipping. Returns how many triangles are left out, and how many pixels are drawn.
 fn equals_the_mesh_of_whole_triangles<S, D, P, K>(
     mesh: &Mesh<'_>,
     camera: &Camera<P>,
@@ -79,7 +77,8 @@ where
     [left_out, expected.drawn(BACKGROUND).len()]
 }
 
-/// From all of it in view to from inside, where the near plane and the guard band are met.
+/// The whole ball is in view at first. From inside it, triangles cross the near plane and the guard
+/// band.
 #[test]
 fn triangles_are_left_out_whole() {
     let ball = ball();
@@ -96,13 +95,13 @@ fn triangles_are_left_out_whole() {
             drawn[index] += counts[1];
         }
     }
-    assert_eq!(left_out[..2], [0, 0], "the first two eyes see it as a whole");
+    assert_eq!(left_out[..2], [0, 0], "the first two eyes see the whole ball");
     assert!(left_out[2..].iter().all(|&count| count >= 30), "{left_out:?}");
     assert!(drawn.iter().all(|&pixels| pixels > 500), "{drawn:?}");
 }
 
-/// What stays between the planes is drawn as with clipping, be it partly or wholly beside the
-/// picture.
+/// An object that stays between the planes is drawn as with clipping, also if it lies partly or
+/// wholly beside the picture.
 #[test]
 fn what_stays_inside_is_drawn_alike() {
     fn compare<P: Projection>(mesh: &Mesh<'_>, camera: &Camera<P>) -> usize {
@@ -133,7 +132,7 @@ fn what_stays_inside_is_drawn_alike() {
     }
 }
 
-/// Its triangles are visited once each, in order, with the corners that they have with clipping.
+/// The whole triangles are visited once each, in order, with the same corners as with clipping.
 #[test]
 fn the_whole_triangles_are_visited() {
     let ball = ball();
