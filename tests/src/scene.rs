@@ -1,13 +1,11 @@
 //! A mesh before a camera, and how many layers of it lie over each pixel.
 
-use std::convert::Infallible;
-
 use embedded_graphics::{
     geometry::{Point, Size},
     pixelcolor::Rgb888,
     primitives::Rectangle,
 };
-use host_tools::reference::{ScreenTriangle, ScreenVertex as ReferenceVertex, draw_screen};
+use host_tools::{check::screen_triangles, reference::draw_screen};
 use rasterizer::{
     camera::{Camera, Distance, Orthographic},
     geometry::{CullBack, CullFront, Culling, NoDepth, Pose, Projection, ScreenVertex, Subpixel},
@@ -117,26 +115,10 @@ impl<'a, P: Projection> Scene<'a, P> {
     pub fn reference<S: Subpixel, K: Culling>(&self, part: Rectangle) -> Vec<u32> {
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
         let projected = self.object::<K>().project(&self.camera, &mut storage);
-        let mut triangles = vec![];
-        let Ok(()) = projected.expect("the object can be drawn").for_each_triangle(|_, corners| {
-            triangles.push(ScreenTriangle {
-                vertices: corners.map(|corner| {
-                    let [x, y] = to_pixels::<S>(
-                        corner.position().expect("clipped corners are on the screen"),
-                    );
-                    ReferenceVertex {
-                        x: x - f64::from(part.top_left.x),
-                        y: y - f64::from(part.top_left.y),
-                        depth: 1.0,
-                        level: 1.0,
-                    }
-                }),
-                color: [0.0; 3],
-            });
-            Ok::<(), Infallible>(())
-        });
+        let projected = projected.expect("the object can be drawn");
+        let triangles = screen_triangles(&projected, part.top_left, |_, _| (1.0, []));
         let [width, height] = [part.size.width as usize, part.size.height as usize];
-        let picture = draw_screen(&triangles, (width, height));
+        let picture = draw_screen(&triangles, (width, height), |_| Some([0.0; 3]));
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         places.map(|(x, y)| picture.layers(x, y) as u32).collect()
     }
