@@ -7,11 +7,12 @@
 //! host-tools = { version = "0.1", default-features = false }
 //! ```
 //!
-//! and a module of the firmware takes in the tables, which Cargo makes anew when the OBJ or its MTL
-//! changes:
+//! A module of the firmware includes the tables. Cargo converts the model again when the OBJ or its
+//! MTL changes:
 //!
 //! ```ignore
-//! include!(concat!(env!("OUT_DIR"), "/gear.rs")); // pub static GEAR: rasterizer::mesh::Mesh<'static>
+//! // pub static GEAR: rasterizer::mesh::Mesh<'static>
+//! include!(concat!(env!("OUT_DIR"), "/gear.rs"));
 //! ```
 
 use std::{error::Error, path::Path};
@@ -20,11 +21,11 @@ use host_tools::model::{Contents, Options, convert_for_build};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let options = Options {
-        // A firmware that shades smoothly needs no face normals: 3 bytes of flash a triangle saved.
+        // Gouraud shading needs no face normals: this saves 3 bytes of flash per triangle.
         contents: Contents { face_normals: false, ..Contents::default() },
         ..Options::default()
     };
-    // A firmware's own models lie beside its build.rs: "models/gear.obj" is enough there.
+    // A firmware's own models lie beside its build.rs: there, "models/gear.obj" is enough.
     convert_for_build(Path::new(env!("CARGO_MANIFEST_DIR")).join("models/gear.obj"), &options)?;
     Ok(())
 }

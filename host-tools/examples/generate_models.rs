@@ -1,5 +1,6 @@
-//! Writes the models in `host-tools/models` anew: `cargo run -p host-tools --example
-//! generate_models`.
+//! Generates the models in `host-tools/models`.
+//!
+//! `cargo run -p host-tools --example generate_models`
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! From an OBJ file to const tables, and the f64 reference that judges the fixed-point picture.
+//! Converts OBJ files to const tables, and judges the fixed-point picture by an f64 reference.
 
 pub mod check;
 pub mod model;

@@ -36,7 +36,7 @@ fn text(bytes: &[u8]) -> &str {
     std::str::from_utf8(bytes).unwrap()
 }
 
-/// Runs and expects success, without a word on the standard error.
+/// Runs and expects success, with nothing on the standard error.
 #[track_caller]
 fn succeed(directory: &Path, line: &str) -> String {
     let output = run(directory, line);
@@ -97,11 +97,12 @@ fn convert_writes_the_static_and_reports() {
 
     let json: Value = serde_json::from_str(&succeed(
         path,
-        "convert my-cube.obj --json --name hull --normals face --keep-units --crease 0 -o tables.rs",
+        "convert my-cube.obj --json --name hull --normals face --keep-units --crease 0 \
+         -o tables.rs",
     ))
     .unwrap();
-    // A cube's eight corners, as no vertex normals part them; 8 x 6 bytes of positions, 12 x 3 of
-    // normals and indices.
+    // A cube's eight corners, as no vertex normals split them; 8 x 6 bytes of positions, 12 x 3 of
+    // normals and of indices.
     assert_eq!((&json["model"], &json["output"]), (&"my-cube.obj".into(), &"tables.rs".into()));
     assert_eq!(
         (&json["name"], &json["vertices"], &json["triangles"]),
@@ -133,7 +134,7 @@ fn convert_overwrites_only_its_own_files() {
     assert_eq!(fs::read_to_string(path.join("a.rs")).unwrap(), "// by hand\n");
     succeed(path, "convert a.obj --force");
     assert!(fs::read_to_string(path.join("a.rs")).unwrap().contains("static A:"));
-    // The model itself is never taken for a result.
+    // The program never overwrites the model itself.
     refuse(path, "convert a.obj -o a.obj");
     refuse(path, "render a.obj -o a.obj");
     assert_eq!(fs::read_to_string(path.join("a.obj")).unwrap(), CUBE);
@@ -187,7 +188,7 @@ fn several_frames_are_an_animation() {
         frame.resize(20 * 20 * 3, 0);
         reader.next_frame(frame).unwrap();
     }
-    // A third of a turn is no symmetry of a cube about a line through the middle of a face.
+    // A third of a turn about a line through the middle of a face is no symmetry of a cube.
     assert!(frames[0] != frames[1] && frames[1] != frames[2]);
 }
 
@@ -246,7 +247,7 @@ fn check_prints_one_json_object_and_writes_three_pictures() {
     let (fixed, reference) =
         (decode(&path.join("a-check/fixed.png")).3, decode(&path.join("a-check/reference.png")).3);
     let differing = fixed.iter().zip(&reference).filter(|(a, b)| a.abs_diff(**b) > 2).count();
-    // A few pixels at edges; an upside-down or shifted picture would differ in hundreds.
+    // A few pixels at edges; an upside-down or shifted picture differs in hundreds.
     assert!(differing < fixed.len() / 50, "{differing} of {} bytes", fixed.len());
 
     fs::create_dir(path.join("target")).unwrap();
@@ -383,7 +384,7 @@ fn paths_need_not_be_utf8() {
 }
 
 #[test]
-fn a_closed_pipe_is_no_fault() {
+fn a_closed_pipe_is_not_an_error() {
     let directory = directory_with("a.obj", CUBE);
     for line in ["convert a.obj", "check a.obj --json", "a.obj", "--help"] {
         let mut child = program(directory.path())
@@ -410,7 +411,7 @@ fn help_shows_examples() {
 
 #[test]
 fn the_worst_frame_is_the_one_reported() {
-    // Not a cube: all its faces would look alike. A wedge whose slope is steep.
+    // A wedge with a steep slope: the faces of a cube all look the same.
     let wedge =
         "v -1 -1 -1\nv 1 -1 -0.7\nv 0.3 1 -1\nv 0.1 0.2 1.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     let directory = directory_with("a.obj", wedge);

@@ -11,9 +11,10 @@ use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
     geometry::{Pose, ScreenVertex},
-    mesh::{Material, Mesh, MeshVertex, Positions, Tables, Triangles},
+    mesh::{Material, Mesh, MeshMaterial, MeshVertex, Positions, Tables, Triangles},
     numbers::{Rotation, S4, Scale, Turn, Vec3},
     output::Frame,
+    raster::Fragment,
     scene::Object,
     shade::Shader,
 };
@@ -27,13 +28,16 @@ impl Shader for Contours {
     type Color = Gray8;
     type Varyings = [u16; 1];
     type Surface = Gray8;
-    fn surface(&self, material: &Material) -> Gray8 {
+    type Face = ();
+    type Outcome = Gray8;
+    fn surface(&self, material: &MeshMaterial<'_>) -> Gray8 {
         Gray8::new(material.rgb().r())
     }
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 1] {
         [vertex.position()[1] as u16 ^ 0x8000]
     }
-    fn pixel(&self, surface: &Gray8, [height]: [U16F16; 1]) -> Gray8 {
+    fn pixel(&self, surface: &Gray8, (): &(), fragment: Fragment<[U16F16; 1]>) -> Gray8 {
+        let [height] = fragment.varyings;
         if height.to_bits() >> 28 & 1 == 0 { *surface } else { Gray8::BLACK }
     }
 }

@@ -104,7 +104,11 @@
 //! let mut bins = [0; 4];
 //! let seen = Object::new(&SQUARE, Unlit::new()).project(&camera, &mut vertices)?;
 //! let seen = seen.binned(2, &mut bins)?;
-//! Bands::new(screen, &mut color, &mut depth)?.show(&mut display, Rgb565::BLACK, |band| seen.draw(band))?;
+//! Bands::new(screen, &mut color, &mut depth)?.show(
+//!     &mut display,
+//!     |band| band.clear_color(Rgb565::BLACK),
+//!     |band| seen.draw(band),
+//! )?;
 //! # assert_eq!(display.0.len(), 16 * 8);
 //! # assert!(display.0.iter().filter(|&&pixel| pixel != Rgb565::BLACK).count() > 40);
 //! # Ok::<(), Box<dyn core::error::Error>>(())

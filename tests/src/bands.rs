@@ -13,9 +13,10 @@ use fixed::types::U16F16;
 use rasterizer::{
     attribute::NoDepth,
     camera::{Camera, Distance, Perspective},
-    mesh::{Material, MeshVertex},
+    mesh::{Material, MeshMaterial, MeshVertex},
     numbers::{Rotation, Scalar, Turn, Vec3},
-    output::{Bands, DepthBuffer, Frame},
+    output::{Bands, Frame, FrameDepth},
+    raster::Fragment,
     shade::{Level, Light, Shader},
 };
 
@@ -36,15 +37,17 @@ impl Shader for Position {
     type Color = Rgb888;
     type Varyings = [u16; 3];
     type Surface = ();
+    type Face = ();
+    type Outcome = Rgb888;
 
-    fn surface(&self, _: &Material) {}
+    fn surface(&self, _: &MeshMaterial<'_>) {}
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 3] {
         vertex.position().map(|c| c as u16 ^ 0x8000)
     }
 
-    fn pixel(&self, (): &(), position: [U16F16; 3]) -> Rgb888 {
-        let [red, green, blue] = position.map(|c| (c.to_bits() >> 24) as u8);
+    fn pixel(&self, (): &(), (): &(), fragment: Fragment<[U16F16; 3]>) -> Rgb888 {
+        let [red, green, blue] = fragment.varyings.map(|c| (c.to_bits() >> 24) as u8);
         Rgb888::new(red, green, blue)
     }
 }
@@ -153,12 +156,13 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
 }
 
 /// A depth format, with bands that own their memory.
-pub trait Depth: Sized {
-    /// The depth buffer.
-    type Buffer: DepthBuffer<Format = Self> + Default;
+pub trait Depth: FrameDepth {
     /// Bands of `area`, each `rows` high.
-    fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self::Buffer>;
+    fn bands(area: Rectangle, rows: u32) -> OwnBands<Self>;
 }
+
+/// Bands whose memory lives as long as the program.
+pub type OwnBands<D> = Bands<Vec<Rgb888>, Rgb888, <D as FrameDepth>::Buffer<'static>>;
 
 fn memory<T: Clone>(area: Rectangle, rows: u32, value: T) -> Vec<T> {
     vec![value; (area.size.width * rows) as usize]
@@ -167,8 +171,7 @@ fn memory<T: Clone>(area: Rectangle, rows: u32, value: T) -> Vec<T> {
 macro_rules! stored {
     ($depth:ty) => {
         impl Depth for $depth {
-            type Buffer = &'static mut [$depth];
-            fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self::Buffer> {
+            fn bands(area: Rectangle, rows: u32) -> OwnBands<Self> {
                 Bands::new(area, memory(area, rows, BACKGROUND), memory(area, rows, 0).leak())
                     .unwrap()
             }
@@ -179,8 +182,7 @@ stored!(u16);
 stored!(u32);
 
 impl Depth for NoDepth {
-    type Buffer = Self;
-    fn bands(area: Rectangle, rows: u32) -> Bands<Vec<Rgb888>, Rgb888, Self> {
+    fn bands(area: Rectangle, rows: u32) -> OwnBands<Self> {
         Bands::without_depth(area, memory(area, rows, BACKGROUND)).unwrap()
     }
 }
@@ -192,10 +194,11 @@ impl Depth for NoDepth {
 /// Panics if a pixel is not sent.
 pub fn picture<D: Depth>(
     rows: u32,
-    draw: impl FnMut(&mut Frame<'_, Rgb888, D::Buffer>) -> Result<(), Infallible>,
+    draw: impl FnMut(&mut Frame<'_, Rgb888, D::Buffer<'_>>) -> Result<(), Infallible>,
 ) -> Screen<Rgb888> {
     let mut screen = Screen::new(DISPLAY);
-    let Ok(()) = D::bands(DISPLAY, rows).show(&mut screen, BACKGROUND, draw);
+    let Ok(()) =
+        D::bands(DISPLAY, rows).show(&mut screen, |band| band.clear_color(BACKGROUND), draw);
     assert!(screen.pixels.iter().all(Option::is_some), "a pixel was not sent");
     screen
 }

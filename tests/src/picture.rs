@@ -8,7 +8,7 @@ use rasterizer::{
     numbers::S8,
     output::{Frame, StoredColor, StoredDepth},
     scene::Object,
-    shade::Shader,
+    shade::{OnScreen, Shader},
 };
 
 /// The pixels of a part of the display and their stored depth, row by row.
@@ -41,7 +41,7 @@ impl<C: StoredColor, D: StoredDepth> Picture<C, D> {
         shader: Sh,
         camera: &Camera<P>,
     ) {
-        let mut storage = vec![ScreenVertex::<S8, D, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+        let mut storage = vec![ScreenVertex::<S8, D, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
         let frame = Frame::new(&mut self.color, &mut self.depth, self.area);
         let mut frame = frame.expect("the buffers fit the area");
         let drawn = Object::new(mesh, shader).draw(camera, &mut storage, &mut frame);

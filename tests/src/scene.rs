@@ -1,13 +1,11 @@
 //! A mesh in front of a camera, and the number of its layers over each pixel.
 
-use std::convert::Infallible;
-
 use embedded_graphics::{
     geometry::{Point, Size},
     pixelcolor::Rgb888,
     primitives::Rectangle,
 };
-use host_tools::reference::{ScreenTriangle, ScreenVertex as ReferenceVertex, draw_screen};
+use host_tools::{check::screen_triangles, reference::draw_screen};
 use rasterizer::{
     attribute::NoDepth,
     camera::{Camera, Distance, Orthographic},
@@ -15,7 +13,7 @@ use rasterizer::{
     mesh::Mesh,
     numbers::{Rotation, Subpixel, Vec3},
     output::Direct,
-    scene::Object,
+    scene::{Modes, Object},
     shade::Unlit,
 };
 
@@ -63,7 +61,7 @@ impl<'a, P: Projection> Scene<'a, P> {
         Self { mesh, pose: Pose::IDENTITY, camera }
     }
 
-    fn object<K: Culling>(&self) -> Object<'a, Unlit<Rgb888>, K> {
+    fn object<K: Culling + Default>(&self) -> Object<'a, Unlit<Rgb888>, Modes<K>> {
         Object::new(self.mesh, Unlit::new()).posed(self.pose).culled(K::default())
     }
 
@@ -73,7 +71,7 @@ impl<'a, P: Projection> Scene<'a, P> {
     ///
     /// Panics if the object cannot be drawn, or is drawn outside `part`.
     #[must_use]
-    pub fn count<S: Subpixel, K: Culling>(&self, part: Rectangle) -> Counter<Rgb888> {
+    pub fn count<S: Subpixel, K: Culling + Default>(&self, part: Rectangle) -> Counter<Rgb888> {
         let mut counter = Counter::new(part);
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
         let drawn =
@@ -114,29 +112,13 @@ impl<'a, P: Projection> Scene<'a, P> {
     ///
     /// Panics if the object cannot be drawn.
     #[must_use]
-    pub fn reference<S: Subpixel, K: Culling>(&self, part: Rectangle) -> Vec<u32> {
+    pub fn reference<S: Subpixel, K: Culling + Default>(&self, part: Rectangle) -> Vec<u32> {
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
         let projected = self.object::<K>().project(&self.camera, &mut storage);
-        let mut triangles = vec![];
-        let Ok(()) = projected.expect("the object can be drawn").for_each_triangle(|_, corners| {
-            triangles.push(ScreenTriangle {
-                vertices: corners.map(|corner| {
-                    let [x, y] = to_pixels::<S>(
-                        corner.position().expect("clipped corners are on the screen"),
-                    );
-                    ReferenceVertex {
-                        x: x - f64::from(part.top_left.x),
-                        y: y - f64::from(part.top_left.y),
-                        depth: 1.0,
-                        level: 1.0,
-                    }
-                }),
-                color: [0.0; 3],
-            });
-            Ok::<(), Infallible>(())
-        });
+        let projected = projected.expect("the object can be drawn");
+        let triangles = screen_triangles(&projected, part.top_left, |_, _| (1.0, []));
         let [width, height] = [part.size.width as usize, part.size.height as usize];
-        let picture = draw_screen(&triangles, (width, height));
+        let picture = draw_screen(&triangles, (width, height), |_| Some([0.0; 3]));
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         places.map(|(x, y)| picture.layers(x, y) as u32).collect()
     }

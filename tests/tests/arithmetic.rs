@@ -58,7 +58,7 @@ fn judge(model: &Model, view: &View) -> usize {
     // Snapping moves a vertex by up to half a sub-pixel, the transform by up to another eighth.
     let error = outcome.arithmetic.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
     assert!(error <= 0.625, "{}: a vertex is {error} sub-pixels off\n{view:#?}", model.name);
-    outcome.arithmetic.pixels
+    outcome.arithmetic.deviation.pixels
 }
 
 #[test]

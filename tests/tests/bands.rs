@@ -7,13 +7,14 @@ use std::{cell::Cell, convert::Infallible, thread};
 use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::U16F16;
 use rasterizer::{
-    attribute::{DepthFormat, Interpolate, NoDepth},
+    attribute::{DepthFormat, NoDepth},
     geometry::{CullBack, CullNone, Culling, ScreenVertex},
-    mesh::{Material, Mesh, MeshVertex, Tables},
+    mesh::{Material, Mesh, MeshMaterial, MeshVertex, Tables},
     numbers::{S4, S8, Subpixel},
     output::{BandAreas, Frame},
+    raster::Fragment,
     scene::{Object, ProjectError, bin_words},
-    shade::{Gouraud, Shader, Unlit},
+    shade::{Gouraud, OnScreen, Shader, Unlit},
 };
 use rasterizer_tests::{
     Picture, Random, Surface, area,
@@ -37,7 +38,7 @@ fn bands_equal_the_frame<S, D, Sh, K>(
     let tables = Tables { materials: &MATERIALS, ..*ball.mesh().tables() };
     let mesh = Mesh::new(tables).unwrap();
     let object = Object::new(&mesh, shader.clone()).culled(culling);
-    let mut storage = vec![ScreenVertex::<S, D, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+    let mut storage = vec![ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     for eye in EYES {
         let camera = at(eye, DISPLAY);
         let seen = object.project(&camera, &mut storage).unwrap();
@@ -288,15 +289,18 @@ impl Shader for Counting<'_> {
     type Color = Rgb888;
     type Varyings = [u16; 1];
     type Surface = ();
+    type Face = ();
+    type Outcome = Rgb888;
 
-    fn surface(&self, _: &Material) {}
+    fn surface(&self, _: &MeshMaterial<'_>) {}
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 1] {
         self.0.set(self.0.get() + 1);
         [vertex.position()[0] as u16]
     }
 
-    fn pixel(&self, (): &(), [x]: [U16F16; 1]) -> Rgb888 {
+    fn pixel(&self, (): &(), (): &(), fragment: Fragment<[U16F16; 1]>) -> Rgb888 {
+        let [x] = fragment.varyings;
         Rgb888::new((x.to_bits() >> 24) as u8, 99, 99)
     }
 }

@@ -1,17 +1,21 @@
 //! Objects that cannot be drawn are rejected before the first pixel, and several objects share one
 //! frame.
 
-use embedded_graphics::{pixelcolor::Rgb888, primitives::Rectangle};
+use embedded_graphics::{
+    pixelcolor::{Rgb888, RgbColor as _},
+    primitives::Rectangle,
+};
 use fixed::types::U16F16;
 use rasterizer::{
     attribute::NoDepth,
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{Pose, PoseError, Projection, ScreenVertex},
-    mesh::{Material, Mesh, MeshVertex, Normals, RequiredTables, Tables, TextureCoordinates},
+    mesh::{Mesh, MeshMaterial, MeshVertex, Normals, RequiredTables, Tables, TextureCoordinates},
     numbers::{Rotation, S4, S8, Scale, Turn, Vec3},
     output::{Direct, Frame},
+    raster::Fragment,
     scene::{DrawError, Object, ProjectError},
-    shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
+    shade::{Flat, Gouraud, Level, Light, OnScreen, Shader, Unlit},
 };
 use rasterizer_tests::{Picture, Recorder, Surface, area};
 
@@ -26,16 +30,18 @@ impl Shader for Textured {
     type Color = Rgb888;
     type Varyings = [u16; 2];
     type Surface = ();
+    type Face = ();
+    type Outcome = Rgb888;
     const TABLES: RequiredTables =
         RequiredTables { texture_coordinates: true, ..RequiredTables::NONE };
 
-    fn surface(&self, _: &Material) {}
+    fn surface(&self, _: &MeshMaterial<'_>) {}
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 2] {
         vertex.texture_coordinates()
     }
 
-    fn pixel(&self, (): &(), _: [U16F16; 2]) -> Rgb888 {
+    fn pixel(&self, (): &(), (): &(), _: Fragment<[U16F16; 2]>) -> Rgb888 {
         Rgb888::new(9, 9, 9)
     }
 }
@@ -56,7 +62,7 @@ fn refused<P: Projection, Sh: Shader<Color = Rgb888>>(
     camera: &Camera<P>,
     room: usize,
 ) -> ProjectError {
-    let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; room];
+    let mut storage = vec![ScreenVertex::<S8, NoDepth, OnScreen<Sh>>::EMPTY; room];
     let mut display = Recorder::new(DISPLAY);
     let drawn = object.draw(camera, &mut storage, &mut Direct::new(&mut display));
     assert_eq!(display.calls(), []);
@@ -204,9 +210,11 @@ impl Shader for Blue {
     type Color = Rgb888;
     type Varyings = [u16; 1];
     type Surface = Rgb888;
+    type Face = ();
+    type Outcome = Rgb888;
 
-    fn surface(&self, material: &Material) -> Rgb888 {
-        let [_, _, blue] = material.color;
+    fn surface(&self, material: &MeshMaterial<'_>) -> Rgb888 {
+        let blue = material.rgb().b();
         Rgb888::new(0, 0, blue)
     }
 
@@ -214,7 +222,7 @@ impl Shader for Blue {
         [vertex.position()[1] as u16 ^ 0x8000]
     }
 
-    fn pixel(&self, surface: &Rgb888, _: [U16F16; 1]) -> Rgb888 {
+    fn pixel(&self, surface: &Rgb888, (): &(), _: Fragment<[U16F16; 1]>) -> Rgb888 {
         *surface
     }
 }

@@ -11,8 +11,9 @@ use embedded_graphics::{
 use fixed::types::U16F16;
 use rasterizer::{
     camera::{Camera, Distance, Perspective},
-    mesh::{Material, MeshVertex, RequiredTables},
+    mesh::{Material, MeshMaterial, MeshVertex, RequiredTables},
     numbers::{Turn, Vec3},
+    raster::Fragment,
     shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
 };
 use rasterizer_tests::Picture;
@@ -61,18 +62,21 @@ impl Shader for Chessboard {
     /// u and v, with all 16 bits behind the binary point.
     type Varyings = [u16; 2];
     type Surface = ();
+    type Face = ();
+    type Outcome = Rgb888;
 
     const TABLES: RequiredTables =
         RequiredTables { texture_coordinates: true, ..RequiredTables::NONE };
 
-    fn surface(&self, _: &Material) {}
+    fn surface(&self, _: &MeshMaterial<'_>) {}
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 2] {
         let up = 16 - vertex.texture_fraction_bits();
         vertex.texture_coordinates().map(|c| (u32::from(c) << up).min(0xFFFF) as u16)
     }
 
-    fn pixel(&self, (): &(), [u, v]: [U16F16; 2]) -> Rgb888 {
+    fn pixel(&self, (): &(), (): &(), fragment: Fragment<[U16F16; 2]>) -> Rgb888 {
+        let [u, v] = fragment.varyings;
         let field = |c: U16F16| c.to_bits() >> 31;
         if field(u) == field(v) { Rgb888::BLACK } else { Rgb888::BLUE }
     }

@@ -10,7 +10,18 @@ use embedded_graphics::{
     pixelcolor::{Rgb888, RgbColor},
     primitives::Rectangle,
 };
-use rasterizer::{camera::{Camera, Distance, Orthographic, Perspective}, geometry::{ClipAll, ClipNone, Clipping, CullBack, CullFront, CullNone, Culling, Projection, ScreenVertex}, mesh::{Mesh, Tables}, numbers::{Rotation, S8, Vec3}, output::{Bands, Frame}, scene::Object, shade::{Flat, Gouraud, Level, Light, Unlit}};
+use rasterizer::{
+    camera::{Camera, Distance, Orthographic, Perspective},
+    geometry::{
+        ClipAll, ClipNone, Clipping, CullBack, CullFront, CullNone, Culling, Projection,
+        ScreenVertex,
+    },
+    mesh::{Mesh, Normals, Tables},
+    numbers::{Rotation, S8, Vec3},
+    output::{Bands, Frame},
+    scene::Object,
+    shade::{Flat, Gouraud, Level, Light, Unlit},
+};
 use rasterizer_tests::{Picture, Surface, area, bands::Screen, pixel_camera};
 
 const DISPLAY: Rectangle = area(0, 0, 24, 12);
@@ -197,9 +208,11 @@ fn bands_show_the_picture_of_the_frame() {
         let (mut color, mut depth) = (vec![BACKGROUND; pixels], vec![0u16; pixels]);
         let mut screen = Screen::new(DISPLAY);
         let mut bands = Bands::new(DISPLAY, &mut color[..], &mut depth[..]).unwrap();
-        let Ok(()) = bands.show(&mut screen, BACKGROUND, |band| {
-            draw(band, &near_far_and_tie(), &pixel_camera(DISPLAY), CullNone, ClipAll)
-        });
+        let Ok(()) = bands.show(
+            &mut screen,
+            |band| band.clear_color(BACKGROUND),
+            |band| draw(band, &near_far_and_tie(), &pixel_camera(DISPLAY), CullNone, ClipAll),
+        );
         assert_shows(&text(screen.pixels.into_iter().flatten()), NEAR_FAR_AND_TIE);
     }
 }
@@ -423,7 +436,8 @@ fn flat_shading_gives_a_cube_three_shades() {
             normal
         })
         .collect();
-    let mesh = Mesh::new(Tables { face_normals: &normals, ..*cube.mesh().tables() }).unwrap();
+    let mesh =
+        Mesh::new(Tables { face_normals: Normals::I8(&normals), ..*cube.mesh().tables() }).unwrap();
     let lens = Orthographic::new(Distance::lit("12"), Distance::ONE, Distance::lit("100")).unwrap();
     let eye = Vec3::lit("20", "20", "30");
     let camera = Camera::look_at(eye, Vec3::ZERO, Vec3::Y, lens, DISPLAY).unwrap();

@@ -113,15 +113,19 @@ fn objects_share_bands() {
         let ball = ball.binned(5, &mut bins);
         let ball = ball.unwrap();
         let mut screen = Screen::new(DISPLAY);
-        let Ok(()) = bands.show(&mut screen, BACKGROUND, |band| {
-            ball.draw(band)?;
-            cube.draw(band)
-        });
+        let Ok(()) = bands.show(
+            &mut screen,
+            |band| band.clear_color(BACKGROUND),
+            |band| {
+                ball.draw(band)?;
+                cube.draw(band)
+            },
+        );
         assert!(screen == whole, "turned by {angle} degrees");
     }
 }
 
-/// A band starts as nothing but background, whether or not its memory held a picture.
+/// A band starts as nothing but |band| band.clear_color(BACKGROUND), whether or not its memory held a picture.
 #[test]
 fn bands_begin_cleared() {
     let ball = ball();
@@ -132,10 +136,11 @@ fn bands_begin_cleared() {
     let (mut color, mut depth) = ([Rgb888::new(255, 0, 0); 61 * 9], [9_999u16; 61 * 9]);
     let mut screen = Screen::new(DISPLAY);
     let mut bands = Bands::new(DISPLAY, &mut color, &mut depth).unwrap();
-    let Ok(()) = bands.show(&mut screen, BACKGROUND, |band| seen.draw(band));
+    let Ok(()) =
+        bands.show(&mut screen, |band| band.clear_color(BACKGROUND), |band| seen.draw(band));
     assert!(screen == whole);
     let other = Rgb888::new(7, 7, 7);
-    let Ok(()) = bands.show(&mut screen, other, |_| Ok(()));
+    let Ok(()) = bands.show(&mut screen, |band| band.clear_color(other), |_| Ok(()));
     assert!(screen.pixels.iter().all(|&pixel| pixel == Some(other)));
 }
 
@@ -224,7 +229,8 @@ fn only_what_changes_is_sent() {
         let new = seen.bounds().unwrap_or_default();
         let changed = envelope(old, new);
         let mut bands = Bands::new(changed, &mut color, &mut depth).unwrap();
-        let Ok(()) = bands.show(&mut screen, BACKGROUND, |band| seen.draw(band));
+        let Ok(()) =
+            bands.show(&mut screen, |band| band.clear_color(BACKGROUND), |band| seen.draw(band));
         assert!(screen == picture::<u16>(ROWS, |frame| seen.draw(frame)), "step {step}");
         sent += changed.size.width * changed.size.height;
         old = new;
@@ -240,10 +246,14 @@ fn a_display_that_fails_ends_the_frame() {
         let mut bands = u16::bands(DISPLAY, 10);
         let mut drawn = 0;
         let mut show = |display: &mut Recorder<Rgb888>| {
-            bands.show(display, BACKGROUND, |_| {
-                drawn += 1;
-                Ok(())
-            })
+            bands.show(
+                display,
+                |band| band.clear_color(BACKGROUND),
+                |_| {
+                    drawn += 1;
+                    Ok(())
+                },
+            )
         };
         let shown = show(&mut display);
         let areas: Vec<_> = display
@@ -288,7 +298,7 @@ fn streams_hand_their_buffers_over() {
         (Screen::new(DISPLAY), Some(named('b')), String::new());
     let bands = Bands::new(DISPLAY, named('a'), &mut depth).unwrap();
     let last = bands.stream(
-        BACKGROUND,
+        |band| band.clear_color(BACKGROUND),
         |band| seen.draw(band),
         |finished, area| {
             order.push(finished.0);
@@ -312,7 +322,7 @@ fn streams_take_static_buffers() {
     let bands_of = Bands::without_depth(DISPLAY, front).unwrap();
     let front: &'static mut [Rgb888; 61 * 8] = bands_of
         .stream(
-            BACKGROUND,
+            |band| band.clear_color(BACKGROUND),
             |_| Ok(()),
             |mut finished, _| {
                 bands += 1;
@@ -330,7 +340,7 @@ fn streams_end_with_what_fails() {
         let (mut depth, mut sent) = (vec![0u32; 61 * 10], 0);
         let bands = Bands::new(DISPLAY, vec![BACKGROUND; 61 * 10], &mut depth).unwrap();
         let ended = bands.stream(
-            BACKGROUND,
+            |band| band.clear_color(BACKGROUND),
             |_| Ok(()),
             |_, _| {
                 sent += 1;

@@ -4,7 +4,7 @@
 use embedded_graphics::{
     geometry::Point,
     mock_display::MockDisplay,
-    pixelcolor::{Bgr565, BinaryColor, Gray8, PixelColor, Rgb565, Rgb888, RgbColor},
+    pixelcolor::{Bgr565, BinaryColor, Gray8, Rgb565, Rgb888, RgbColor},
     primitives::{PointsIter, Rectangle},
 };
 use rasterizer::{
@@ -15,14 +15,14 @@ use rasterizer::{
     numbers::{Rotation, S8, Turn, Vec3},
     output::{Direct, Frame, FrameError, StoredColor},
     scene::{DrawError, Object},
-    shade::{Gouraud, Level, Light, Shader, Unlit},
+    shade::{Gouraud, Level, Light, OnScreen, Shader, Unlit},
 };
 use rasterizer_tests::{BusError, Call, Picture, Recorder, Surface, area, bands::Position};
 
 const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
 const DISPLAY: Rectangle = area(0, 0, 61, 47);
 
-const fn gouraud<C: PixelColor + From<Rgb888>>() -> Gouraud<C> {
+const fn gouraud<C: From<Rgb888>>() -> Gouraud<C> {
     Gouraud::new(Light::new(Vec3::lit("1", "2", "3"), Level::lit("0.2"), Level::lit("0.8")))
 }
 
@@ -51,7 +51,7 @@ fn bands_equal_the_frame<Sh: Shader<Color = Rgb888>>(shader: &Sh) {
     let ball = ball();
     let mesh = ball.mesh();
     let whole = whole(&mesh, shader.clone());
-    let mut storage = vec![ScreenVertex::<S8, u16, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+    let mut storage = vec![ScreenVertex::<S8, u16, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     let object = Object::new(&mesh, shader.clone());
     let projected = object.project(&camera(DISPLAY), &mut storage).unwrap();
     for height in 1..=DISPLAY.size.height {
@@ -237,7 +237,7 @@ fn frames_are_sent_in_one_run() {
 fn stops_at_the_first_error<Sh: Shader<Color = Rgb888>>(shader: Sh) {
     let ball = ball();
     let mesh = ball.mesh();
-    let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+    let mut storage = vec![ScreenVertex::<S8, NoDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     let object = Object::new(&mesh, shader);
     let mut works = Recorder::new(DISPLAY);
     object.draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut works)).unwrap();
@@ -266,7 +266,7 @@ fn drawing_stops_at_the_first_error_of_a_display() {
 fn spans<Sh: Shader<Color = Rgb888>>(shader: Sh, is_solid: bool) -> Vec<Rectangle> {
     let ball = ball();
     let mesh = ball.mesh();
-    let mut storage = vec![ScreenVertex::<S8, NoDepth, Sh::Varyings>::EMPTY; mesh.vertex_count()];
+    let mut storage = vec![ScreenVertex::<S8, NoDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     let mut display = Recorder::new(DISPLAY);
     let object = Object::new(&mesh, shader);
     object.draw(&camera(DISPLAY), &mut storage, &mut Direct::new(&mut display)).unwrap();
@@ -291,7 +291,7 @@ fn spans_are_runs() {
 }
 
 /// The picture in any colour type is the 24-bit one, converted: colours are computed in 24 bits.
-fn draws_in<C: StoredColor + From<Rgb888> + std::fmt::Debug>(background: C) {
+fn draws_in<C: StoredColor + From<Rgb888> + PartialEq + std::fmt::Debug>(background: C) {
     let ball = ball();
     let mesh = ball.mesh();
     let convert = |&color: &Rgb888| if color == BACKGROUND { background } else { color.into() };

@@ -5,7 +5,7 @@ use std::convert::Infallible;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
-    attribute::{DepthFormat, Interpolate, NoDepth},
+    attribute::{DepthFormat, NoDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{ClipNone, CullBack, CullFront, CullNone, Culling, Projection, ScreenVertex},
     mesh::{Mesh, Triangles},

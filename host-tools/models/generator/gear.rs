@@ -11,8 +11,8 @@ const TOOTH: [(f64, f64); 5] = [(0.0, 0.78), (0.18, 0.80), (0.33, 1.0), (0.67, 1
 
 pub(super) fn files() -> Vec<(&'static str, String)> {
     let mut surface = Surface::new("A spur gear with a brass hub.", "gear.mtl");
-    // Half of the section from the tip of a tooth to the bore: radius (the teeth's outline if none)
-    // and height.
+    // Half of the section from the tip of a tooth to the bore: radius (`None` for the teeth's
+    // outline) and height.
     let section = [
         (None, 0.15),
         (Some(0.68), 0.15),

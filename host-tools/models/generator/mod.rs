@@ -1,4 +1,4 @@
-//! The models that come with the project, made from a few formulas: the same text on every machine.
+//! The bundled models, generated from a few formulas: the same text on every machine.
 
 mod gear;
 mod rocket;

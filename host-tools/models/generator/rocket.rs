@@ -1,5 +1,5 @@
 //! A rocket that stands on its fins, y up: a turned body, three fins and two windows, each a closed
-//! surface of its own.
+//! surface.
 
 use std::f64::consts::TAU;
 

@@ -1,11 +1,11 @@
-//! A closed surface on its way to OBJ text.
+//! Builds the OBJ text of a closed surface.
 
 use std::fmt::Write as _;
 
 /// A point in model units.
 pub(super) type Point = [f64; 3];
 
-/// The text of an OBJ file in the making.
+/// An OBJ file under construction.
 #[derive(Clone, Debug)]
 pub(super) struct Surface {
     text: String,
@@ -36,25 +36,25 @@ impl Surface {
         self.text
     }
 
-    /// A line as it is.
+    /// Adds a line.
     pub(super) fn line(&mut self, line: &str) {
         self.text.push_str(line);
         self.text.push('\n');
     }
 
-    /// What follows is made of this material.
+    /// Sets the material of the faces that follow.
     pub(super) fn material(&mut self, name: &str) {
         self.line(&format!("usemtl {name}"));
     }
 
-    /// A single vertex; its index.
+    /// Adds a vertex and returns its index.
     pub(super) fn point(&mut self, point: Point) -> usize {
         self.line(&format!("v {}", coordinates(&point)));
         self.points += 1;
         self.points
     }
 
-    /// The vertices of a closed curve.
+    /// Adds the vertices of a closed curve.
     pub(super) fn ring(&mut self, points: impl IntoIterator<Item = Point>) -> Ring {
         let first = self.points + 1;
         for point in points {
@@ -63,7 +63,7 @@ impl Surface {
         Ring { first, length: self.points + 1 - first }
     }
 
-    /// A face.
+    /// Adds a face.
     pub(super) fn face(&mut self, corners: impl IntoIterator<Item = usize>) {
         self.text.push('f');
         for corner in corners {
@@ -73,25 +73,25 @@ impl Surface {
         self.text.push('\n');
     }
 
-    /// Quads from one ring to the next. Seen from outside, the rings run counter-clockwise and `to`
-    /// lies left of `from`.
+    /// Adds quads from one ring to the next. Seen from outside, the rings run counter-clockwise and
+    /// `to` lies left of `from`.
     pub(super) fn band(&mut self, from: Ring, to: Ring) {
         for i in 0..from.length {
             self.face([from.corner(i), from.corner(i + 1), to.corner(i + 1), to.corner(i)]);
         }
     }
 
-    /// One polygon inside a ring that runs counter-clockwise seen from outside.
+    /// Adds one polygon inside a ring that runs counter-clockwise seen from outside.
     pub(super) fn cap(&mut self, ring: Ring) {
         self.face((0..ring.length).map(|i| ring.corner(i)));
     }
 
-    /// One polygon inside a ring that runs clockwise seen from outside.
+    /// Adds one polygon inside a ring that runs clockwise seen from outside.
     pub(super) fn cap_reversed(&mut self, ring: Ring) {
         self.face((0..ring.length).rev().map(|i| ring.corner(i)));
     }
 
-    /// Triangles from a ring to a point left of it.
+    /// Adds triangles from a ring to a point left of it.
     pub(super) fn tip(&mut self, ring: Ring, apex: usize) {
         for i in 0..ring.length {
             self.face([ring.corner(i), ring.corner(i + 1), apex]);
@@ -104,7 +104,7 @@ impl Surface {
 pub(super) fn coordinates(numbers: &[f64]) -> String {
     let texts: Vec<String> = numbers
         .iter()
-        // rounded first, so that no -0.0000 is written
+        // Rounded first, so that no -0.0000 is written.
         .map(|x| format!("{:.4}", (x * 1e4).round() / 1e4 + 0.0))
         .collect();
     texts.join(" ")

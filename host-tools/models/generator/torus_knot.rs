@@ -13,7 +13,7 @@ const MAJOR: f64 = 1.0;
 const MINOR: f64 = 0.42;
 const TUBE: f64 = 0.2;
 
-/// The tube is some 14.5 units long and 1.26 round: so many repeats of a square texture look
+/// The tube is some 14.5 units long and 1.26 round: with this many repeats a square texture looks
 /// undistorted.
 const REPEATS: f64 = 12.0;
 
@@ -28,7 +28,7 @@ pub(super) fn files() -> Vec<(&'static str, String)> {
     for &(_, normal) in &tube {
         surface.line(&format!("vn {}", coordinates(&normal)));
     }
-    // One more each way than vertices: the texture's two ends lie on the same vertices.
+    // One more than vertices in both directions: the texture's two ends lie on the same vertices.
     for i in 0..=ALONG {
         for j in 0..=AROUND {
             let texture = [part(i, ALONG) * REPEATS, part(j, AROUND)];
@@ -59,8 +59,8 @@ fn part(i: usize, n: usize) -> f64 {
 /// A point of the tube and the normal there, which is radial as in any pipe. Both parameters go
 /// from 0 to 1.
 ///
-/// The frame stays level, as that of a walker on the curve: the curve is steepest where it runs 47
-/// degrees up.
+/// The frame stays level, as for a walker on the curve: at its steepest the curve rises at 47
+/// degrees.
 fn on_tube(along: f64, around: f64) -> (Point, Point) {
     let ((sin_u, cos_u), (sin_v, cos_v)) =
         ((2.0 * TAU * along).sin_cos(), (3.0 * TAU * along).sin_cos());

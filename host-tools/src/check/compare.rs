@@ -1,14 +1,12 @@
 //! Differences, in numbers.
 
-use std::time::Duration;
-
-use super::{DepthFormat, FixedPicture};
+use super::FixedPicture;
 use crate::reference::{Camera, Picture};
 
-/// How a fixed-point picture differs from a reference.
+/// How far a fixed-point picture is off a reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
-pub struct Comparison {
+pub struct Deviation {
     /// Pixels that the fixed-point picture covers.
     pub pixels: usize,
     /// Pixels that only one of the pictures covers.
@@ -19,13 +17,22 @@ pub struct Comparison {
     pub depth_rms_ulp: f64,
     /// The largest difference of a colour channel in 8-bit steps, over pixels that both cover.
     pub color_max_error: f64,
-    /// The peak signal-to-noise ratio over the whole picture; nothing if the pictures are equal.
+    /// The peak signal-to-noise ratio over the whole picture; `None` if the pictures are equal.
     pub psnr_db: Option<f64>,
+}
+
+/// The fixed-point picture and the fixed-point vertices against a reference.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Comparison {
+    /// Of the pictures.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub deviation: Deviation,
     /// The largest distance in x or y, in pixels, by which a vertex lies off its exact place.
     pub vertex_error_max_px: f64,
-    /// How long the fixed-point core took on this machine, in milliseconds.
+    /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
-    /// How long the reference took on this machine, in milliseconds.
+    /// How long the reference takes on this machine, in milliseconds.
     pub reference_ms: f64,
 }
 
@@ -39,7 +46,8 @@ pub struct Outcome {
     pub end_to_end: Comparison,
 }
 
-/// How far the arithmetic may be off. These follow from the number formats, whatever the model.
+/// How far the arithmetic may be off. The bounds follow from the number formats and hold for every
+/// model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Bounds {
@@ -52,43 +60,40 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// None, 1 and 1.
+    /// No pixel, 1 unit and 1 step.
     pub const ARITHMETIC: Self =
         Self { coverage_mismatches: 0, depth_max_ulp: 1.0, color_max_error: 1.0 };
+}
+
+impl Deviation {
+    /// Whether it keeps the bounds.
+    #[must_use]
+    pub fn is_within(&self, bounds: &Bounds) -> bool {
+        self.coverage_mismatches <= bounds.coverage_mismatches
+            && self.depth_max_ulp <= bounds.depth_max_ulp
+            && self.color_max_error <= bounds.color_max_error
+    }
 }
 
 impl Outcome {
     /// Whether the arithmetic keeps its bounds.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
-        let found = &self.arithmetic;
-        found.coverage_mismatches <= bounds.coverage_mismatches
-            && found.depth_max_ulp <= bounds.depth_max_ulp
-            && found.color_max_error <= bounds.color_max_error
+        self.arithmetic.deviation.is_within(bounds)
     }
 
-    /// Numbers that are larger for the worse of two frames: whether a bound is exceeded, then
-    /// coverage, colour and depth, of the arithmetic first.
+    /// Numbers by which frames compare: the worse frame has the larger. First whether a bound is
+    /// exceeded, then coverage, colour and depth of the arithmetic, then the same end to end.
     #[must_use]
     pub fn badness(&self) -> [f64; 7] {
         let exceeds = f64::from(u8::from(!self.is_within(&Bounds::ARITHMETIC)));
-        let of =
-            |c: &Comparison| [c.coverage_mismatches as f64, c.color_max_error, c.depth_max_ulp];
+        let of = |c: &Comparison| {
+            let found = &c.deviation;
+            [found.coverage_mismatches as f64, found.color_max_error, found.depth_max_ulp]
+        };
         let ([a, b, c], [d, e, f]) = (of(&self.arithmetic), of(&self.end_to_end));
         [exceeds, a, b, c, d, e, f]
     }
-}
-
-/// A reference to compare with.
-pub(super) struct Judge<'a> {
-    /// Its picture.
-    pub(super) picture: &'a Picture,
-    /// How many units of the stored format its depth of 1 stands for.
-    pub(super) depth_unit: f64,
-    /// How far off the fixed-point vertices are from its own.
-    pub(super) vertex_error_max_px: f64,
-    /// How long it took.
-    pub(super) time: Duration,
 }
 
 /// How one pixel differs.
@@ -115,15 +120,14 @@ pub enum Difference {
 }
 
 /// Compares the pixel (x, y) with a reference whose depth of 1 stands for `unit` units of the
-/// stored format.
+/// stored format. That stores depths from 1 to `depth_max`.
 ///
-/// Where several layers lie within one unit of depth of the nearest, the stored format cannot tell
-/// them apart, and either is right: the pixel is held against the one whose colour it comes closest
-/// to.
+/// Layers within one unit of depth of the nearest are equal in the stored format, so each of them
+/// is right: the pixel is compared with the one whose colour is closest.
 pub(super) fn difference(
     fixed: &FixedPicture,
     [x, y]: [usize; 2],
-    depth: DepthFormat,
+    depth_max: f64,
     reference: &Picture,
     unit: f64,
 ) -> Difference {
@@ -141,7 +145,7 @@ pub(super) fn difference(
         .filter(|fragment| (nearest.depth - fragment.depth) * unit <= 1.0)
         .map(|fragment| {
             // Both as the formats store them.
-            let stored = (fragment.depth * unit).round().clamp(1.0, depth.max());
+            let stored = (fragment.depth * unit).round().clamp(1.0, depth_max);
             let channel = |i: usize| (f64::from(pixel.color[i]) - fragment.color[i].round()).abs();
             let color_error = channel(0).max(channel(1)).max(channel(2));
             (color_error, (f64::from(pixel.depth) - stored).abs(), fragment.color)
@@ -151,22 +155,22 @@ pub(super) fn difference(
     Difference::Both { color_error, depth_error, color }
 }
 
-/// Compares a picture with a reference.
+/// Compares a picture with a reference; see [`difference`].
 pub(super) fn compare(
     fixed: &FixedPicture,
-    fixed_time: Duration,
-    depth: DepthFormat,
-    judge: &Judge<'_>,
-) -> Comparison {
+    reference: &Picture,
+    depth_max: f64,
+    unit: f64,
+) -> Deviation {
     let [width, height] = fixed.size.map(|c| c as usize);
     let (mut pixels, mut coverage_mismatches, mut both) = (0, 0, 0);
-    let (mut depth_max, mut depth_squares, mut color_max, mut color_squares) =
-        (0f64, 0f64, 0f64, 0f64);
+    let (mut depth_max_ulp, mut color_max_error) = (0f64, 0f64);
+    let (mut depth_squares, mut color_squares) = (0f64, 0f64);
     for y in 0..height {
         for x in 0..width {
             let pixel = fixed.pixels[y * width + x];
             pixels += usize::from(pixel.depth != 0);
-            match difference(fixed, [x, y], depth, judge.picture, judge.depth_unit) {
+            match difference(fixed, [x, y], depth_max, reference, unit) {
                 Difference::Background => {}
                 Difference::OnlyFixed => {
                     coverage_mismatches += 1;
@@ -178,8 +182,8 @@ pub(super) fn compare(
                 }
                 Difference::Both { color_error, depth_error, color } => {
                     both += 1;
-                    color_max = color_max.max(color_error);
-                    depth_max = depth_max.max(depth_error);
+                    color_max_error = color_max_error.max(color_error);
+                    depth_max_ulp = depth_max_ulp.max(depth_error);
                     depth_squares += depth_error * depth_error;
                     color_squares += squares(pixel.color, color);
                 }
@@ -187,16 +191,13 @@ pub(super) fn compare(
         }
     }
     let mean_square = color_squares / (3 * width * height) as f64;
-    Comparison {
+    Deviation {
         pixels,
         coverage_mismatches,
-        depth_max_ulp: depth_max,
+        depth_max_ulp,
         depth_rms_ulp: (depth_squares / f64::from(both.max(1))).sqrt(),
-        color_max_error: color_max,
+        color_max_error,
         psnr_db: (mean_square > 0.0).then(|| 10.0 * (255.0 * 255.0 / mean_square).log10()),
-        vertex_error_max_px: judge.vertex_error_max_px,
-        fixed_ms: fixed_time.as_secs_f64() * 1e3,
-        reference_ms: judge.time.as_secs_f64() * 1e3,
     }
 }
 
@@ -205,8 +206,8 @@ fn squares(color: [u8; 3], reference: [f64; 3]) -> f64 {
     square(0) + square(1) + square(2)
 }
 
-/// The largest distance in x or y between where vertices were placed and where the camera sees the
-/// points.
+/// The largest distance in x or y between where the core places vertices and where the camera sees
+/// their points.
 pub(super) fn vertex_error(
     placed: &[Option<[f64; 2]>],
     points: &[[f64; 3]],

@@ -1,199 +1,131 @@
-//! The fixed-point picture, by the same tables and the same calls as on a microcontroller.
+//! The fixed-point picture of a model in a view, by the same tables and the same calls as on a
+//! microcontroller.
 
-use std::{
-    convert::Infallible,
-    time::{Duration, Instant},
-};
+use std::time::{Duration, Instant};
 
-use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
+use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
     camera::Camera,
-    geometry::{Projection, ScreenVertex},
-    mesh::Mesh,
-    numbers::{S4, S8, Subpixel},
-    output::{Frame, StoredDepth},
+    geometry::{self, ScreenVertex},
+    numbers::{self, S4, S8},
+    output::StoredDepth,
     scene::Object,
-    shade::{Flat, Gouraud, OnScreen, Shader, Unlit},
+    shade::{OnScreen, Shader},
 };
 
-use super::view::{self, Shading, View, ViewError, triangle_colors};
+use super::{
+    object::{self, FixedPicture, screen_triangles, to_pixels},
+    view::{DepthFormat, Projection, Subpixel, View, ViewError},
+};
 use crate::{
     model::Model,
-    reference::{ScreenTriangle, ScreenVertex as ReferenceVertex},
+    reference::{self, Corner, Picture, Sample, ScreenTriangle},
 };
 
-/// Of interpolated light: as many steps as a channel of the pictures that are compared.
-const LEVELS: usize = 256;
-
-/// A picture by the fixed-point core.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct FixedPicture {
-    /// Width and height in pixels.
-    pub size: [u32; 2],
-    /// The pixels, row by row.
-    pub pixels: Vec<Pixel>,
-}
-
-/// A pixel by the fixed-point core.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Pixel {
-    /// Its colour in 8-bit steps; black where nothing was drawn.
-    pub color: [u8; 3],
-    /// Its stored depth; 0 where nothing was drawn.
-    pub depth: u32,
-}
-
-/// The picture and what led to it.
-pub(super) struct Drawn {
+/// A frame by the core, and how the reference draws it.
+pub(super) struct Drawn<'a> {
     pub(super) picture: FixedPicture,
-    /// Where each vertex was placed, in pixels; nothing for those outside near plane, far plane
+    /// Where the core places each vertex, in pixels; `None` for those outside near plane, far plane
     /// and guard band.
     pub(super) vertices: Vec<Option<[f64; 2]>>,
-    /// The triangles that were drawn, as they were placed on the screen; depth in units of the
-    /// stored format.
-    pub(super) triangles: Vec<ScreenTriangle>,
-    /// How long the core took for vertices and triangles.
+    /// How long the core takes for vertices and triangles.
     pub(super) time: Duration,
+    /// Draws the reference on the core's own vertices, with depth in units of the stored format.
+    pub(super) arithmetic: Box<dyn FnOnce() -> Picture + 'a>,
+    /// Draws the reference from the OBJ file's numbers, with depth from 0 to 1.
+    pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
 
-/// A depth format as the judge sees it.
-trait Judged: StoredDepth + Into<u32> {}
-impl<D: StoredDepth + Into<u32>> Judged for D {}
-
-/// What the judge has to know about a shader.
-trait Leveled: Shader<Color = Rgb888> {
-    /// The light level, from 0 to 1, of a vertex of the triangle `index`.
-    fn level(&self, varyings: OnScreen<Self>, mesh: &Mesh<'_>, index: usize) -> f64;
-}
-
-impl Leveled for Unlit<Rgb888> {
-    fn level(&self, _: [u16; 0], _: &Mesh<'_>, _: usize) -> f64 {
-        1.0
-    }
-}
-
-impl Leveled for Flat<Rgb888> {
-    /// From the normal in the table, by the definition.
-    fn level(&self, _: [u16; 0], mesh: &Mesh<'_>, index: usize) -> f64 {
-        let light = self.light();
-        let normal = mesh.tables().face_normals.get(index).expect("the shader needs normals");
-        let dot: f64 = (0..3)
-            .map(|i| f64::from(normal[i]) / 127.0 * f64::from(light.toward()[i]) / 2f64.powi(30))
-            .sum();
-        (light.ambient().to_num::<f64>() + light.diffuse().to_num::<f64>() * dot.max(0.0)).min(1.0)
-    }
-}
-
-impl Leveled for Gouraud<Rgb888, LEVELS> {
-    /// From the varying: 0 and 1 lie in the middle of the first and the last level of the ramp.
-    fn level(&self, [place]: [u16; 1], _: &Mesh<'_>, _: usize) -> f64 {
-        let levels = LEVELS as f64;
-        (f64::from(place) / 65536.0 * levels - 0.5) / (levels - 1.0)
-    }
-}
-
-/// Draws the model as the view says.
-pub(super) fn draw(model: &Model, view: &View) -> Result<Drawn, ViewError> {
-    match view.projection {
-        view::Projection::Perspective { field_of_view_degrees } => {
-            by_camera(model, view, &view.perspective(field_of_view_degrees)?)
+/// Draws a model by the core.
+///
+/// The reference interpolates what `placed` returns for a triangle and the stored varyings of a
+/// corner, or what `exact` returns for a corner in world space. `shade` colours both.
+pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
+    model: &'a Model,
+    view: &View,
+    shader: &Sh,
+    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+    exact: impl Fn(Corner) -> [f64; N] + 'a,
+    shade: impl Fn(Sample<N>) -> Option<[f64; 3]> + Clone + 'a,
+) -> Result<Drawn<'a>, ViewError> {
+    let Placed { picture, triangles, vertices, time } = match view.projection {
+        Projection::Perspective { field_of_view_degrees } => {
+            by_camera(model, view, &view.perspective(field_of_view_degrees)?, shader, placed)
         }
-        view::Projection::Orthographic { height } => {
-            by_camera(model, view, &view.orthographic(height)?)
+        Projection::Orthographic { height } => {
+            by_camera(model, view, &view.orthographic(height)?, shader, placed)
+        }
+    }?;
+    let (camera, mesh) = (view.reference_camera(), view.reference_mesh(model));
+    let size = view.size.map(|c| c as usize).into();
+    let colored = shade.clone();
+    Ok(Drawn {
+        picture,
+        vertices,
+        time,
+        arithmetic: Box::new(move || reference::draw_screen(&triangles, size, colored)),
+        end_to_end: Box::new(move || {
+            reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, exact, shade)
+        }),
+    })
+}
+
+/// A frame by the core, and its triangles on the screen.
+struct Placed<const N: usize> {
+    picture: FixedPicture,
+    triangles: Vec<ScreenTriangle<N>>,
+    vertices: Vec<Option<[f64; 2]>>,
+    time: Duration,
+}
+
+/// Draws in one of the pairs of precision and depth that a view can have.
+fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color = Rgb888>>(
+    model: &Model,
+    view: &View,
+    camera: &Camera<P>,
+    shader: &Sh,
+    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+) -> Result<Placed<N>, ViewError> {
+    match (view.subpixel, view.depth) {
+        (Subpixel::S4, DepthFormat::U16) => {
+            by_format::<N, S4, u16, _, _>(model, view, camera, shader, placed)
+        }
+        (Subpixel::S4, DepthFormat::U32) => {
+            by_format::<N, S4, u32, _, _>(model, view, camera, shader, placed)
+        }
+        (Subpixel::S8, DepthFormat::U16) => {
+            by_format::<N, S8, u16, _, _>(model, view, camera, shader, placed)
+        }
+        (Subpixel::S8, DepthFormat::U32) => {
+            by_format::<N, S8, u32, _, _>(model, view, camera, shader, placed)
         }
     }
 }
 
-fn by_camera<P: Projection>(
+fn by_format<const N: usize, S, D, P, Sh>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
-) -> Result<Drawn, ViewError> {
-    match view.subpixel {
-        view::Subpixel::S4 => by_precision::<P, S4>(model, view, camera),
-        view::Subpixel::S8 => by_precision::<P, S8>(model, view, camera),
-    }
-}
-
-fn by_precision<P: Projection, S: Subpixel>(
-    model: &Model,
-    view: &View,
-    camera: &Camera<P>,
-) -> Result<Drawn, ViewError> {
-    match view.depth {
-        view::DepthFormat::U16 => by_depth::<P, S, u16>(model, view, camera),
-        view::DepthFormat::U32 => by_depth::<P, S, u32>(model, view, camera),
-    }
-}
-
-fn by_depth<P: Projection, S: Subpixel, D: Judged>(
-    model: &Model,
-    view: &View,
-    camera: &Camera<P>,
-) -> Result<Drawn, ViewError> {
-    let light = View::light();
-    match view.shading {
-        Shading::Flat => by_shader::<P, S, D, _>(model, view, camera, Flat::new(light)),
-        Shading::Gouraud => {
-            by_shader::<P, S, D, _>(model, view, camera, Gouraud::with_levels(light))
-        }
-        Shading::Unlit => by_shader::<P, S, D, _>(model, view, camera, Unlit::new()),
-    }
-}
-
-fn by_shader<P: Projection, S: Subpixel, D: Judged, Sh: Leveled>(
-    model: &Model,
-    view: &View,
-    camera: &Camera<P>,
-    shader: Sh,
-) -> Result<Drawn, ViewError> {
+    shader: &Sh,
+    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+) -> Result<Placed<N>, ViewError>
+where
+    S: numbers::Subpixel,
+    D: StoredDepth + Into<u32>,
+    P: geometry::Projection,
+    Sh: Shader<Color = Rgb888>,
+{
     let mesh = model.mesh();
-    let area = view.area();
-    let pixels = area.size.width as usize * area.size.height as usize;
-    let mut color = vec![Rgb888::BLACK; pixels];
-    let mut depth = vec![D::ZERO; pixels];
-    let mut storage = vec![ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     let object = Object::new(&mesh, shader.clone()).posed(view.pose());
-
+    let mut storage = vec![ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     let start = Instant::now();
     let projected = object.project(camera, &mut storage)?;
-    let mut frame = Frame::new(&mut color, &mut depth, area)?;
-    let Ok(()) = projected.draw(&mut frame);
-    let time = start.elapsed();
-
-    let to_pixels = |c: i32| f64::from(c) / f64::from(1 << S::BITS);
-    let colors = triangle_colors(model);
-    let for_object = shader.for_object(object.pose());
-    let mut triangles = Vec::new();
-    let Ok(()) = projected.for_each_triangle(|index, corners| {
-        triangles.push(ScreenTriangle {
-            vertices: corners.map(|corner| {
-                let [x, y] = corner.position().unwrap_or_default().map(to_pixels);
-                ReferenceVertex {
-                    x,
-                    y,
-                    depth: f64::from(corner.depth().into()),
-                    level: for_object.level(corner.varyings(), &mesh, index),
-                }
-            }),
-            color: colors[index],
-        });
-        Ok::<(), Infallible>(())
+    let projecting = start.elapsed();
+    let (picture, drawing) = object::draw(&projected, view.area())?;
+    let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
+        (f64::from(corner.depth().into()), placed(triangle, corner.varyings()))
     });
-    let place =
-        |vertex: &ScreenVertex<S, D, OnScreen<Sh>>| vertex.position().map(|p| p.map(to_pixels));
-    let vertices = projected.vertices().iter().map(place).collect();
-    let pixel = |(color, depth): (&Rgb888, &D)| Pixel {
-        color: [color.r(), color.g(), color.b()],
-        depth: (*depth).into(),
-    };
-    Ok(Drawn {
-        picture: FixedPicture {
-            size: view.size,
-            pixels: color.iter().zip(&depth).map(pixel).collect(),
-        },
-        vertices,
-        triangles,
-        time,
-    })
+    let vertices =
+        projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
+    Ok(Placed { picture, triangles, vertices, time: projecting + drawing })
 }

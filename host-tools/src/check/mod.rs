@@ -2,31 +2,35 @@
 //!
 //! Two comparisons are kept apart, because they ask different questions:
 //!
-//! * **arithmetic**: are the computations right? The reference gets the vertices as the core has
-//!   placed them on the screen, quantised and snapped. Coverage must then be equal, a depth within
-//!   one unit of its format, a colour within one of 256 steps: [`Bounds`] says so, and
-//!   [`Outcome::is_within`] judges.
+//! * **arithmetic**: are the computations right? The reference gets the vertices as the core places
+//!   them on the screen, quantised and snapped. Coverage must then be equal, a depth within
+//!   one unit of its format, a colour within one of 256 steps: see [`Bounds`] and
+//!   [`Outcome::is_within`].
 //! * **end to end**: what does all rounding cost in the picture? The reference starts from the OBJ
-//!   file's own numbers and rounds nothing. There is no bound that holds for every model, so this
-//!   is for the reader to judge.
+//!   file's own numbers and rounds nothing. No bound holds for every model, so the reader judges.
+//!
+//! [`check`] compares a model in a view. [`judge`] compares any object of the core, with any
+//! shader, against a definition of that shader.
 
 mod compare;
 mod fixed;
+mod object;
+mod shading;
 mod view;
 
 use std::time::{Duration, Instant};
 
-use compare::Judge;
-pub use compare::{Bounds, Comparison, Difference, Outcome};
-pub use fixed::{FixedPicture, Pixel};
-pub use view::{DepthFormat, Projection, Shading, Subpixel, View, ViewError};
+pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome};
+pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
+pub use shading::Shading;
+pub use view::{DepthFormat, Projection, Subpixel, View, ViewError};
 
 use crate::{model::Model, reference};
 
 /// One frame drawn both ways, with the pictures.
 #[derive(Clone, Debug)]
 pub struct Checked {
-    /// What was found.
+    /// Both comparisons.
     pub outcome: Outcome,
     /// The fixed-point picture.
     pub fixed: FixedPicture,
@@ -34,7 +38,7 @@ pub struct Checked {
     pub arithmetic: reference::Picture,
     /// The reference from the OBJ file's numbers.
     pub end_to_end: reference::Picture,
-    /// In which the fixed-point picture has its depth.
+    /// How the fixed-point picture stores its depth.
     pub depth: DepthFormat,
 }
 
@@ -44,20 +48,21 @@ impl Checked {
     ///
     /// # Panics
     ///
-    /// Outside the picture.
+    /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn arithmetic_difference(&self, x: usize, y: usize) -> Difference {
-        compare::difference(&self.fixed, [x, y], self.depth, &self.arithmetic, 1.0)
+        compare::difference(&self.fixed, [x, y], self.depth.max(), &self.arithmetic, 1.0)
     }
 
-    /// How it differs from the reference from the OBJ file's numbers.
+    /// How the pixel differs from the reference from the OBJ file's numbers.
     ///
     /// # Panics
     ///
-    /// Outside the picture.
+    /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn end_to_end_difference(&self, x: usize, y: usize) -> Difference {
-        compare::difference(&self.fixed, [x, y], self.depth, &self.end_to_end, self.depth.max())
+        let max = self.depth.max();
+        compare::difference(&self.fixed, [x, y], max, &self.end_to_end, max)
     }
 }
 
@@ -65,53 +70,42 @@ impl Checked {
 ///
 /// # Errors
 ///
-/// If the view makes no sense, or the core refuses the model in it.
+/// Returns an error if the view's numbers are out of range, or if the core cannot draw the model in
+/// it.
 pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
-    let camera = view.reference_camera();
-    let light = view.reference_light();
-    let size = view.size.map(|c| c as usize);
+    let drawn = shading::draw(model, view)?;
+    let (arithmetic, arithmetic_time) = timed(drawn.arithmetic);
+    let (end_to_end, end_to_end_time) = timed(drawn.end_to_end);
 
-    let drawn = fixed::draw(model, view)?;
-    let (arithmetic, arithmetic_time) =
-        timed(|| reference::draw_screen(&drawn.triangles, size.into()));
-    let mesh = view.reference_mesh(model);
-    let culling = reference::Culling::Back;
-    let shading = view.shading.into();
-    let (end_to_end, end_to_end_time) =
-        timed(|| reference::draw_scene(&camera, &light, &mesh, shading, culling, size.into()));
-
+    let (fixed, depth_max) = (drawn.picture, view.depth.max());
+    let comparison = |reference, unit, points: &[[f64; 3]], camera, time| Comparison {
+        deviation: compare::compare(&fixed, reference, depth_max, unit),
+        vertex_error_max_px: compare::vertex_error(&drawn.vertices, points, &camera),
+        fixed_ms: milliseconds(drawn.time),
+        reference_ms: milliseconds(time),
+    };
     let rounded = view.rounded();
     let quantised = rounded.pose_points(&quantised_positions(model));
-    let placed =
-        |positions: &[[f64; 3]], camera| compare::vertex_error(&drawn.vertices, positions, &camera);
-    let judge = |judge: &Judge<'_>| compare::compare(&drawn.picture, drawn.time, view.depth, judge);
+    let exact = view.pose_points(&model.exact.positions);
+    let (rounded, unrounded) = (rounded.reference_camera(), view.reference_camera());
     let outcome = Outcome {
-        arithmetic: judge(&Judge {
-            picture: &arithmetic,
-            depth_unit: 1.0,
-            vertex_error_max_px: placed(&quantised, rounded.reference_camera()),
-            time: arithmetic_time,
-        }),
-        end_to_end: judge(&Judge {
-            picture: &end_to_end,
-            depth_unit: view.depth.max(),
-            vertex_error_max_px: placed(&mesh.positions, camera),
-            time: end_to_end_time,
-        }),
+        arithmetic: comparison(&arithmetic, 1.0, &quantised, rounded, arithmetic_time),
+        end_to_end: comparison(&end_to_end, depth_max, &exact, unrounded, end_to_end_time),
     };
-    Ok(Checked { outcome, fixed: drawn.picture, arithmetic, end_to_end, depth: view.depth })
+    Ok(Checked { outcome, fixed, arithmetic, end_to_end, depth: view.depth })
 }
 
 /// Draws a model by the fixed-point core alone.
 ///
 /// # Errors
 ///
-/// If the view makes no sense, or the core refuses the model in it.
+/// Returns an error if the view's numbers are out of range, or if the core cannot draw the model in
+/// it.
 pub fn render(model: &Model, view: &View) -> Result<FixedPicture, ViewError> {
-    Ok(fixed::draw(model, view)?.picture)
+    Ok(shading::draw(model, view)?.picture)
 }
 
-/// The positions that the tables stand for, exactly.
+/// The exact values of the positions in the tables.
 fn quantised_positions(model: &Model) -> Vec<[f64; 3]> {
     let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
     let offset = model.offset.to_bits().map(|c| f64::from(c) / 65536.0);
@@ -123,4 +117,8 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {
     let start = Instant::now();
     let result = work();
     (result, start.elapsed())
+}
+
+fn milliseconds(time: Duration) -> f64 {
+    time.as_secs_f64() * 1e3
 }

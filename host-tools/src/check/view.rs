@@ -1,4 +1,4 @@
-//! How a model is looked at, said once for both rasterizers.
+//! The view of a model, for both rasterizers.
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
@@ -13,6 +13,7 @@ use rasterizer::{
     shade::{Level, Light},
 };
 
+use super::Shading;
 use crate::{model::Model, reference};
 
 /// How finely vertices are placed on the screen.
@@ -53,28 +54,6 @@ impl DepthFormat {
         match self {
             Self::U16 => u16::MAX as f64,
             Self::U32 => u32::MAX as f64,
-        }
-    }
-}
-
-/// How triangles are coloured.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Shading {
-    /// Lit by the triangle's normal.
-    Flat,
-    /// Lit at the vertices and interpolated.
-    #[default]
-    Gouraud,
-    /// The material's colour.
-    Unlit,
-}
-
-impl From<Shading> for reference::Shading {
-    fn from(shading: Shading) -> Self {
-        match shading {
-            Shading::Flat => Self::Flat,
-            Shading::Gouraud => Self::Gouraud,
-            Shading::Unlit => Self::Unlit,
         }
     }
 }
@@ -146,22 +125,22 @@ pub enum ViewError {
     /// A number is outside what the fixed-point types hold.
     #[error("{what} is {value}, but must lie from {least} to {most}")]
     OutOfRange {
-        /// Which one.
+        /// What the number is for.
         what: &'static str,
-        /// What it is.
+        /// The number.
         value: f64,
-        /// The least that will do.
+        /// The least that is allowed.
         least: f64,
-        /// The most that will do.
+        /// The most that is allowed.
         most: f64,
     },
-    /// The camera makes no sense.
+    /// The camera's numbers contradict each other.
     #[error("{0}")]
     Camera(#[from] CameraError),
     /// The core refuses the model in this view.
     #[error("{0}")]
     Project(#[from] ProjectError),
-    /// The buffers do not fit the picture, which would be a mistake of this program.
+    /// The buffers do not fit the picture, which is a mistake of this program.
     #[error("{0}")]
     Frame(#[from] FrameError),
 }
@@ -172,8 +151,8 @@ const AMBIENT: &str = "0.2";
 const DIFFUSE: &str = "0.8";
 
 impl View {
-    /// The same view with the model turned a little further about y: step `frame` of `frames` in a
-    /// full turn.
+    /// Returns the view with the model turned further about y: step `frame` of `frames` in a full
+    /// turn.
     #[must_use]
     pub fn turned(self, frame: u32, frames: u32) -> Self {
         Self {
@@ -182,7 +161,7 @@ impl View {
         }
     }
 
-    /// The view that the fixed-point numbers stand for.
+    /// The view rounded to the fixed-point numbers of the core.
     pub(super) fn rounded(self) -> Self {
         let turn = |degrees: f64| f64::from(angle(degrees).to_bits()) / ANGLE_STEPS * 360.0;
         let length = |length: f64| (length * 65_536.0).round() / 65_536.0;
@@ -310,20 +289,9 @@ impl View {
     pub(super) fn reference_mesh(&self, model: &Model) -> reference::Mesh {
         reference::Mesh {
             positions: self.pose_points(&model.exact.positions),
-            vertex_normals: self.pose_points(&model.exact.vertex_normals),
-            face_normals: self.pose_points(&model.exact.face_normals),
             triangles: (0..).map_while(|i| model.triangles.as_triangles().get(i)).collect(),
-            colors: triangle_colors(model),
         }
     }
-}
-
-/// The colour of each triangle's material.
-pub(super) fn triangle_colors(model: &Model) -> Vec<[f64; 3]> {
-    let run = |m: &rasterizer::mesh::Material| {
-        std::iter::repeat_n(m.color.map(f64::from), m.triangle_count as usize)
-    };
-    model.materials.iter().flat_map(run).collect()
 }
 
 const ANGLE_STEPS: f64 = 4_294_967_296.0;
@@ -331,7 +299,7 @@ const ANGLE_STEPS: f64 = 4_294_967_296.0;
 /// The nearest angle that the core has.
 fn angle(degrees: f64) -> Turn {
     let steps = (degrees / 360.0).rem_euclid(1.0) * ANGLE_STEPS;
-    // A turn that rounds up to a whole one wraps to none.
+    // An angle that rounds up to a full turn wraps to 0.
     Turn::from_bits(steps.round() as u64 as u32)
 }
 
@@ -344,6 +312,6 @@ fn checked(what: &'static str, value: f64, least: f64, most: f64) -> Result<f64,
 }
 
 fn distance(what: &'static str, value: f64) -> Result<Distance, ViewError> {
-    // The least that Q16.16 tells from 0, and its last whole number.
+    // The smallest Q16.16 above 0, and its largest whole number.
     checked(what, value, 1.0 / 65_536.0, 65_535.0).map(Distance::from_num)
 }

@@ -38,7 +38,7 @@ pub(super) struct Arguments {
     /// The OBJ file
     model: PathBuf,
     /// Directory for fixed.png, reference.png and difference.png [default: target/check/NAME, or
-    /// NAME-check if there is no directory target]
+    /// NAME-check without a directory target]
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
     /// Print the result as one JSON object
@@ -59,12 +59,13 @@ pub(super) struct Pictures {
     pub(super) difference: PathBuf,
 }
 
-/// A path that is not UTF-8 must not make the result unreadable.
+/// Writes a path with replacement characters for what is not UTF-8, so that the result stays
+/// readable.
 fn lossy<S: serde::Serializer>(path: &Path, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(&path.to_string_lossy())
 }
 
-/// The worst of the frames.
+/// The worst frame of a turntable.
 #[derive(Debug)]
 pub(super) struct Worst {
     pub(super) frame: u32,
@@ -140,8 +141,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     Ok(Done { text, is_within_bounds })
 }
 
-/// Checks every frame of the turntable and keeps the worst: one that exceeds a bound, if there is
-/// any.
+/// Checks every frame of the turntable and returns the worst: one that exceeds a bound, if any
+/// does.
 pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) -> Result<Worst> {
     let progress = Progress::over(frames, "checking");
     let mut worst: Option<Worst> = None;
@@ -155,13 +156,14 @@ pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) 
         progress.step();
     }
     drop(progress);
-    // A check that saw nothing has checked nothing.
+    // Without a pixel there is nothing to check.
     worst.with_context(|| render::nothing_seen(path))
 }
 
 /// Whether one of the pictures covers a pixel.
 const fn shows_something(outcome: &Outcome) -> bool {
     let Outcome { arithmetic, end_to_end } = outcome;
+    let [arithmetic, end_to_end] = [arithmetic.deviation, end_to_end.deviation];
     arithmetic.pixels + arithmetic.coverage_mismatches + end_to_end.coverage_mismatches > 0
 }
 
@@ -192,11 +194,11 @@ fn default_directory(model: &Path) -> PathBuf {
     }
 }
 
-/// Refuses a directory that is none, or that has no parent to be created in.
+/// Refuses a path that is not a directory, or that cannot be created for lack of a parent.
 fn allow_directory(directory: &Path) -> Result<()> {
     let parent = directory.parent().filter(|parent| !parent.as_os_str().is_empty());
     if directory.exists() && !directory.is_dir() {
-        bail!("{} is not a directory: name one for the pictures", directory.display());
+        bail!("{} is not a directory: name another for the pictures", directory.display());
     }
     if let Some(parent) = parent.filter(|parent| !parent.is_dir()) {
         bail!(

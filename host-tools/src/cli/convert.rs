@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::{Done, output, progress::Progress, view::within};
 
-/// With these words begins every file of tables.
+/// Every file of tables begins with these words.
 const MARK: &str = "// A model as const tables, written by host-tools ";
 
 const EXAMPLES: &str = "\
@@ -36,12 +36,18 @@ pub(super) struct Arguments {
     /// The name of the static, written in capitals [default: that of the model]
     #[arg(long)]
     name: Option<String>,
-    /// Keep the file's coordinates; without, the model is fitted into a sphere of radius 1 about
+    /// Keep the file's coordinates, instead of fitting the model into a sphere of radius 1 about
     /// the origin
     #[arg(long)]
     keep_units: bool,
     /// Up to this angle between two faces, a computed normal is smooth across their edge
-    #[arg(long, value_name = "DEGREES", default_value_t = Options::default().crease_degrees, value_parser = within(0.0, 180.0), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = Options::default().crease_degrees,
+        value_parser = within(0.0, 180.0),
+        allow_negative_numbers = true
+    )]
     crease: f64,
     /// Which normals: vertex for Gouraud shading, face for flat shading
     #[arg(long, value_name = "WHICH", default_value = "both")]
@@ -49,7 +55,7 @@ pub(super) struct Arguments {
     /// Keep texture coordinates
     #[arg(long)]
     texture_coordinates: bool,
-    /// Overwrite a file that this program has not made
+    /// Overwrite a file that is not from this program
     #[arg(long)]
     force: bool,
     /// Print the report as one JSON object
@@ -124,7 +130,7 @@ fn json(arguments: &Arguments, path: &Path, model: &Model) -> Result<String> {
     Ok(serde_json::to_string_pretty(&object)? + "\n")
 }
 
-/// Loads a model and passes its warnings on.
+/// Loads a model and prints its warnings.
 pub(super) fn load(path: &Path, options: &Options) -> Result<Model> {
     let model = {
         let _progress = Progress::over(1, "reading the model");
@@ -136,9 +142,9 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Model> {
     Ok(model)
 }
 
-/// Writes a model's tables.
+/// Writes a model's tables. Without `force`, replaces only a file of tables.
 pub(super) fn write(model: &Model, path: &Path, force: bool) -> Result<()> {
-    // The empty mark stands at the start of any file.
+    // Every file begins with the empty mark.
     let mark = if force { "" } else { MARK };
     output::allow(
         path,

@@ -1,4 +1,4 @@
-//! Pictures for people: both rasterizers' on a background, and how they differ.
+//! Pictures to look at: those of both rasterizers on a background, and their differences.
 
 use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use host_tools::{
@@ -15,12 +15,12 @@ pub(super) struct Image {
     pub(super) rgb: Vec<[u8; 3]>,
 }
 
-/// What the pictures are drawn on: a grey-blue dark enough for light models, light enough for
+/// The background of the pictures: a grey-blue dark enough for light models and light enough for
 /// shadows.
 pub(super) const BACKGROUND: [u8; 3] = [0x28, 0x32, 0x40];
 
-/// By how much the difference picture amplifies colour differences: 8 steps of 256 and more are at
-/// full strength, and a single one can still be seen.
+/// The factor by which the difference picture amplifies colour differences. From 8 steps of 256 on
+/// they are at full strength, and a single step is still visible.
 pub(super) const AMPLIFICATION: f64 = 32.0;
 
 const AMPLIFIED: [f64; 3] = [255.0, 214.0, 0.0];
@@ -29,10 +29,10 @@ const ONLY_REFERENCE: [u8; 3] = [0, 255, 255];
 const OUT_OF_BOUNDS: [u8; 3] = [255, 0, 0];
 const NOTHING: [u8; 3] = [0x0C, 0x0E, 0x12];
 
-/// How many pixels have a colour of their own in the difference picture.
+/// How many pixels the difference picture marks in each colour.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Legend {
-    /// Some difference of colour.
+    /// With any difference of colour.
     pub(super) amplified: usize,
     /// Covered in the fixed-point picture only.
     pub(super) only_fixed: usize,
@@ -43,7 +43,7 @@ pub(super) struct Legend {
 }
 
 impl Legend {
-    /// Each colour of the difference picture, what it means, and how many pixels have it.
+    /// Each colour of the difference picture, its meaning, and how many pixels have it.
     pub(super) fn lines(&self) -> [(&'static str, String, usize); 4] {
         let same = format!("colours differ, amplified {AMPLIFICATION} times");
         [
@@ -69,8 +69,8 @@ pub(super) fn of_reference(picture: &Picture, background: [u8; 3]) -> Image {
     })
 }
 
-/// How the fixed-point picture differs from the end-to-end reference, over a dim grey picture of
-/// the model. Pixels in the loud colours are framed, or a single one would be overlooked.
+/// The differences of the fixed-point picture from the end-to-end reference, over a dim grey
+/// picture of the model. A frame round each pixel in a loud colour makes even a single one visible.
 pub(super) fn of_differences(checked: &Checked, bounds: &Bounds) -> (Image, Legend) {
     let mut legend = Legend::default();
     let mut image = over(&checked.end_to_end, |x, y| {
@@ -90,7 +90,7 @@ pub(super) fn of_differences(checked: &Checked, bounds: &Bounds) -> (Image, Lege
             }
             Difference::Both { color_error, color, .. } => {
                 legend.amplified += usize::from(color_error > 0.0);
-                // A quarter of the brightness, and enough to set the darkest model off the
+                // A quarter of the brightness, plus enough to tell the darkest model from the
                 // background.
                 let grey = 32.0 + (color[0] + color[1] + color[2]) / 3.0 / 4.0;
                 let strength = (color_error * AMPLIFICATION / 255.0).min(1.0);
@@ -125,7 +125,7 @@ fn over(picture: &Picture, mut color: impl FnMut(usize, usize) -> [u8; 3]) -> Im
 
 impl Image {
     /// Draws a square around each pixel that has one of the `loud` colours, in that colour at half
-    /// its strength.
+    /// strength.
     fn frame(&mut self, loud: &[[u8; 3]]) {
         const RADIUS: i64 = 4;
         let [width, height] = self.size.map(i64::from);
@@ -146,7 +146,7 @@ impl Image {
         }
     }
 
-    /// The colours that an RGB565 display would show.
+    /// The colours as an RGB565 display shows them.
     pub(super) fn as_rgb565(&self) -> Self {
         let shown = |&[r, g, b]: &[u8; 3]| {
             let color = Rgb888::from(Rgb565::from(Rgb888::new(r, g, b)));
@@ -159,7 +159,7 @@ impl Image {
 #[cfg(test)]
 mod tests {
     use host_tools::{
-        check::{Comparison, DepthFormat, Outcome},
+        check::{Comparison, DepthFormat, Deviation, Outcome},
         reference::{ScreenTriangle, ScreenVertex, draw_screen},
     };
 
@@ -171,15 +171,15 @@ mod tests {
 
     /// A row of pixels, those at `covered` drawn in grey.
     fn row(covered: &[(usize, f64)], depth: f64) -> Picture {
-        let vertex = |x, y| ScreenVertex { x, y, depth, level: 1.0 };
-        let pixel = |&(x, grey): &(usize, f64)| {
-            let x = x as f64;
+        let pixel = |&(column, grey): &(usize, f64)| {
+            let vertex = |x, y| ScreenVertex { x: column as f64 + x, y, depth, varyings: [grey] };
             ScreenTriangle {
-                vertices: [vertex(x + 0.5, 0.1), vertex(x + 0.1, 0.9), vertex(x + 0.9, 0.9)],
-                color: [grey; 3],
+                vertices: [vertex(0.5, 0.1), vertex(0.1, 0.9), vertex(0.9, 0.9)],
+                number: column,
             }
         };
-        draw_screen(&covered.iter().map(pixel).collect::<Vec<_>>(), (WIDTH, 1))
+        let triangles: Vec<_> = covered.iter().map(pixel).collect();
+        draw_screen(&triangles, (WIDTH, 1), |sample| Some([sample.varyings[0]; 3]))
     }
 
     fn checked() -> Checked {
@@ -188,12 +188,14 @@ mod tests {
             pixels[x] = Pixel { color: [grey; 3], depth: DEPTH };
         }
         let comparison = Comparison {
-            pixels: 4,
-            coverage_mismatches: 1,
-            depth_max_ulp: 0.0,
-            depth_rms_ulp: 0.0,
-            color_max_error: 0.0,
-            psnr_db: None,
+            deviation: Deviation {
+                pixels: 4,
+                coverage_mismatches: 1,
+                depth_max_ulp: 0.0,
+                depth_rms_ulp: 0.0,
+                color_max_error: 0.0,
+                psnr_db: None,
+            },
             vertex_error_max_px: 0.0,
             fixed_ms: 0.0,
             reference_ms: 0.0,

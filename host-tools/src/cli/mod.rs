@@ -1,4 +1,4 @@
-//! The arguments, and what an exit status means: 0 all well, 1 a bound is exceeded, 2 bad usage or
+//! The arguments and the exit status: 0 for success, 1 if a bound is exceeded, 2 for bad usage or
 //! bad input.
 
 mod check;
@@ -23,13 +23,13 @@ use clap::{
 
 const EXAMPLES: &str = "\
 Examples:
-  host-tools                        All of it on a model that comes with the program
-  host-tools model.obj              All of it on a model of yours
-  host-tools convert model.obj      The tables alone: model.rs
-  host-tools render model.obj       What a display will show: model.png
-  host-tools check model.obj        Fixed point against f64, in numbers and pictures
+  host-tools                        Convert, render and check the bundled rocket
+  host-tools model.obj              Convert, render and check your own model
+  host-tools convert model.obj      Only the tables: model.rs
+  host-tools render model.obj       Only the picture that a display shows: model.png
+  host-tools check model.obj        Only fixed point against f64, in numbers and pictures
 
-Exit status: 0 if all went well, 1 if the check exceeds a bound, 2 for bad usage or bad input.";
+Exit status: 0 for success, 1 if the check exceeds a bound, 2 for bad usage or bad input.";
 
 /// Turns OBJ models into const tables for the fixed-point rasterizer, and checks its pictures
 /// against an f64 reference.
@@ -41,13 +41,13 @@ Exit status: 0 if all went well, 1 if the check exceeds a bound, 2 for bad usage
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
-    /// The OBJ file to convert, render and check [default: the rocket that comes with the program]
+    /// The OBJ file to convert, render and check [default: the bundled rocket]
     #[arg(value_parser = PathBufValueParser::new().try_map(no_mistyped_command))]
     model: Option<PathBuf>,
 }
 
-/// Lets all paths pass but a bare word that is no file: for that, "no such file" would be a
-/// puzzling answer.
+/// Accepts all paths except a bare word that is not a file. It is probably a mistyped command, so
+/// the error names the commands.
 fn no_mistyped_command(path: PathBuf) -> Result<PathBuf, &'static str> {
     if path.exists() || path.extension().is_some() || path.components().count() > 1 {
         Ok(path)
@@ -63,7 +63,7 @@ enum Command {
     Check(check::Arguments),
 }
 
-/// What a command has to say when its files are written.
+/// The result of a command after its files are written.
 struct Done {
     /// For the standard output.
     text: String,
@@ -81,8 +81,8 @@ impl From<String> for Done {
 /// Runs the program.
 pub(crate) fn run() -> ExitCode {
     let arguments = Arguments::try_parse().unwrap_or_else(|error| {
-        // A mistyped command is taken for the model, and what follows for a command that cannot
-        // follow it.
+        // The parser takes a mistyped command for the model, and the next word for a command, which
+        // cannot follow a model. Parsing the first word alone gives the better error.
         if error.kind() == ErrorKind::ArgumentConflict
             && let Some(word) = std::env::args_os().nth(1)
         {
@@ -101,7 +101,8 @@ pub(crate) fn run() -> ExitCode {
     ExitCode::from(status(told))
 }
 
-/// The exit status of a command that kept its bounds or not, or failed, which is then said.
+/// The exit status of a command, from whether it keeps its bounds. Prints the error of one that
+/// fails.
 fn status(told: Result<bool>) -> u8 {
     match told {
         Ok(true) => 0,

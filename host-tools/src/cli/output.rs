@@ -1,4 +1,4 @@
-//! Where results go: the standard output, and files that appear whole or not at all.
+//! Output: to the standard output, and to files that appear whole or not at all.
 
 use std::{
     fmt::Display,
@@ -10,31 +10,31 @@ use std::{
 use anyhow::{Context as _, Result, bail};
 use host_tools::model::write_atomically;
 
-/// Prints to the standard output. A reader that has seen enough and closed the pipe is no fault.
+/// Prints to the standard output. A pipe that its reader has closed is not an error.
 pub(super) fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
-            Err(error).context("the result could not be printed")
+            Err(error).context("the result cannot be printed")
         }
         _ => Ok(()),
     }
 }
 
-/// Prints a line to the standard error; if that is closed too, nobody is there to be told.
+/// Prints a line to the standard error. Ignores an error: there is nowhere left to report it.
 pub(super) fn complain(kind: &str, message: &str) {
     let _ = writeln!(io::stderr(), "{kind}: {message}");
 }
 
-/// The model's file name with another ending.
+/// The model's file name with another ending, in the current directory.
 pub(super) fn named_after(model: &Path, ending: &str) -> PathBuf {
     let mut name = model.file_stem().unwrap_or_default().to_os_string();
     name.push(ending);
     name.into()
 }
 
-/// Refuses what cannot or must not be written to: a directory, a device, a missing directory, and a
-/// file that does not start with `mark` and so was not made by this program.
+/// Refuses a path that cannot or must not be written to: a directory, a device, one in a missing
+/// directory, or a file that does not begin with `mark` and so is not from this program.
 pub(super) fn allow(path: &Path, mark: &[u8], otherwise: impl Display) -> Result<()> {
     let directory = path.parent().filter(|parent| !parent.as_os_str().is_empty());
     if let Some(directory) = directory.filter(|directory| !directory.is_dir()) {
@@ -59,19 +59,19 @@ pub(super) fn allow(path: &Path, mark: &[u8], otherwise: impl Display) -> Result
     let read =
         File::open(path).and_then(|file| file.take(mark.len() as u64).read_to_end(&mut start));
     if read.is_err() || start != mark {
-        bail!("{} exists and was not made by this program: {otherwise}", path.display());
+        bail!("{} exists and is not from this program: {otherwise}", path.display());
     }
     Ok(())
 }
 
-/// Writes a PNG file, over an older PNG file if need be.
+/// Writes a PNG file. Replaces an older PNG file.
 pub(super) fn write_png(path: &Path, png: &[u8]) -> Result<()> {
     allow_png(path)?;
     Ok(write_atomically(path, png)?)
 }
 
-/// Refuses what [`write_png`] would refuse: asked before long work.
+/// Refuses the paths that [`write_png`] refuses. Call this before long work.
 pub(super) fn allow_png(path: &Path) -> Result<()> {
     const SIGNATURE: &[u8; 8] = b"\x89PNG\r\n\x1a\n";
-    allow(path, SIGNATURE, "it is no PNG file; choose another name, or remove it")
+    allow(path, SIGNATURE, "it is not a PNG file; choose another name, or remove it")
 }

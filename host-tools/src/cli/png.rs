@@ -1,13 +1,13 @@
-//! PNG files, still and moving.
+//! PNG files, still and animated.
 
 use anyhow::Result;
 use png::{BitDepth, ColorType, Encoder};
 
 use super::image::Image;
 
-/// An animation takes this long for a full turn.
+/// The time that an animation takes for a full turn.
 const TURN_SECONDS: u16 = 3;
-/// Many viewers slow down animations of more frames a second than this.
+/// Many viewers slow down animations with more frames per second than this.
 const MOST_FRAMES_A_SECOND: u16 = 50;
 
 /// The bytes of a PNG file of one picture.
@@ -15,9 +15,11 @@ pub(super) fn still(image: &Image) -> Result<Vec<u8>> {
     animation(image.size, 1, std::iter::once(Ok(image.clone())))
 }
 
-/// The bytes of a PNG file that turns for ever; of one frame, an ordinary PNG file.
+/// The bytes of a PNG file that repeats its frames without end, or of an ordinary PNG file for one
+/// frame.
 ///
-/// What cannot show animations (PNG specification, third edition, 2025) shows the first frame.
+/// Viewers without support for animations (PNG specification, third edition, 2025) show the first
+/// frame.
 pub(super) fn animation(
     [width, height]: [u32; 2],
     frames: u16,

@@ -1,4 +1,4 @@
-//! Progress on the standard error, if that is a terminal.
+//! A progress bar on the standard error, if that is a terminal.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 pub(super) struct Progress(ProgressBar);
 
 impl Progress {
-    /// A bar for several frames; for one, a spinner.
+    /// Shows a bar for several frames, and a spinner for one.
     pub(super) fn over(frames: u32, doing: &'static str) -> Self {
         let bar =
             if frames > 1 { ProgressBar::new(frames.into()) } else { ProgressBar::new_spinner() };
@@ -25,7 +25,7 @@ impl Progress {
         Self(bar)
     }
 
-    /// One frame more is done.
+    /// Counts a finished frame.
     pub(super) fn step(&self) {
         self.0.inc(1);
     }

@@ -1,4 +1,4 @@
-//! The command `render`: what a display will show.
+//! The command `render`: the picture that a display shows.
 
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ Examples:
   host-tools render model.obj --shading flat --rgb565
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
-/// Draw a model with the fixed-point core, as a display will show it
+/// Draw a model with the fixed-point core, as a display shows it
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
@@ -77,20 +77,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     Ok(format!("Wrote {}: {width}x{height} pixels{frames}\n", path.display()).into())
 }
 
-/// One frame by the fixed-point core.
+/// Draws one frame by the fixed-point core.
 pub(super) fn draw(path: &Path, model: &Model, view: &View) -> Result<FixedPicture> {
     check::render(model, view).map_err(|error| refused(path, &error))
 }
 
-/// Why a view cannot be drawn, with the model's path.
+/// The error for a view that cannot be drawn, with the model's path.
 pub(super) fn refused(path: &Path, error: &ViewError) -> anyhow::Error {
     anyhow!("{} cannot be drawn in this view: {error}", path.display())
 }
 
-/// For a picture without a single pixel of the model.
+/// The message for a picture without a pixel of the model.
 pub(super) fn nothing_seen(path: &Path) -> String {
     format!(
-        "no pixel shows anything of {}: change --distance, --near, --far, --fov, --orthographic or --size",
+        "no pixel shows anything of {}: change --distance, --near, --far, --fov, --orthographic or \
+         --size",
         path.display()
     )
 }

@@ -1,4 +1,4 @@
-//! Without a command: everything there is to see of one model.
+//! Without a command: converts, renders and checks one model.
 
 use std::{
     fs,
@@ -18,10 +18,10 @@ use super::{
     view::Settings,
 };
 
-/// Where all results go.
+/// The directory of all results.
 const DIRECTORY: &str = "target";
 
-/// The check looks from this many sides.
+/// The number of sides that the check draws the model from.
 const FRAMES: u32 = 12;
 
 pub(super) fn run(model: Option<&Path>) -> Result<Done> {
@@ -32,7 +32,7 @@ pub(super) fn run(model: Option<&Path>) -> Result<Done> {
     let worst = worst_frame(&path, &model, &view, FRAMES)?;
 
     fs::create_dir_all(DIRECTORY).map_err(|error| {
-        anyhow!("{DIRECTORY}: {error}: the results go there, so start this in another directory")
+        anyhow!("{DIRECTORY}: {error}: the results go there, so run this in another directory")
     })?;
     let file = |ending| Path::new(DIRECTORY).join(output::named_after(&path, ending));
     let tables = file(".rs");
@@ -61,7 +61,7 @@ pub(super) fn run(model: Option<&Path>) -> Result<Done> {
 Tables      {tables}: {flash} bytes of flash, static {name}
 Picture     {rendered}: {settings}
 
-Checked from {FRAMES} sides; the worst, turned by {turn} degrees:
+Checked from {FRAMES} sides; the worst is the one at {turn} degrees:
 Fixed point {fixed}
 Reference   {reference}: f64, from the numbers in the OBJ file
 Difference  {difference}
@@ -91,11 +91,11 @@ More: host-tools --help
     Ok(Done { text, is_within_bounds: outcome.is_within(&bounds) })
 }
 
-/// The rocket, where this program was built.
+/// The bundled rocket, in the directory of the program's sources.
 fn shipped_model() -> Result<PathBuf> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/rocket.obj");
     if !path.is_file() {
-        bail!("{} is no longer there: name a model, as in `host-tools model.obj`", path.display());
+        bail!("{} is missing: name a model, as in `host-tools model.obj`", path.display());
     }
     Ok(path)
 }

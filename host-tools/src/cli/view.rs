@@ -1,4 +1,4 @@
-//! The options that say how a model is looked at.
+//! The options of the view.
 
 use clap::{
     Args,
@@ -10,60 +10,130 @@ use host_tools::{
 };
 use serde::Serialize;
 
-/// The largest picture, either way; the core's own limit.
+/// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
 
 const SUBPIXELS: [(&str, Subpixel); 2] = [("4", Subpixel::S4), ("8", Subpixel::S8)];
 const DEPTHS: [(&str, DepthFormat); 2] = [("u16", DepthFormat::U16), ("u32", DepthFormat::U32)];
-const SHADINGS: [(&str, Shading); 3] =
-    [("flat", Shading::Flat), ("gouraud", Shading::Gouraud), ("unlit", Shading::Unlit)];
 
-/// How the model is looked at: from a point on the z axis toward the origin, where the model is
-/// turned in place.
+/// The view: from a point on the z axis toward the origin, about which the model is turned.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "View")]
 pub(super) struct ViewOptions {
     /// Width and height of the picture in pixels, 1x1 to 2048x2048
     #[arg(long, value_name = "WxH", default_value = "320x240", value_parser = size)]
     size: [u32; 2],
-    /// Binary digits behind the point of a pixel coordinate
-    #[arg(long, value_name = "BITS", default_value = name(&SUBPIXELS, View::default().subpixel), value_parser = choice(&SUBPIXELS))]
+    /// Fraction bits of a pixel coordinate
+    #[arg(
+        long,
+        value_name = "BITS",
+        default_value = name(&SUBPIXELS, View::default().subpixel),
+        value_parser = choice(&SUBPIXELS)
+    )]
     subpixel: Subpixel,
     /// Format of the depth buffer
-    #[arg(long, value_name = "FORMAT", default_value = name(&DEPTHS, View::default().depth), value_parser = choice(&DEPTHS))]
+    #[arg(
+        long,
+        value_name = "FORMAT",
+        default_value = name(&DEPTHS, View::default().depth),
+        value_parser = choice(&DEPTHS)
+    )]
     depth: DepthFormat,
     /// How triangles are coloured
-    #[arg(long, default_value = name(&SHADINGS, View::default().shading), value_parser = choice(&SHADINGS))]
+    #[arg(
+        long,
+        default_value = name(&Shading::NAMES, View::default().shading),
+        value_parser = choice(&Shading::NAMES)
+    )]
     shading: Shading,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
-    #[arg(long, value_name = "UNITS", default_value_t = View::default().distance, value_parser = within(0.0, 32_000.0), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "UNITS",
+        default_value_t = View::default().distance,
+        value_parser = within(0.0, 32_000.0),
+        allow_negative_numbers = true
+    )]
     distance: f64,
     /// Vertical field of view of a perspective camera
-    #[arg(long, value_name = "DEGREES", default_value_t = 40.0, value_parser = within(0.01, 179.9), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = 40.0,
+        value_parser = within(0.01, 179.9),
+        allow_negative_numbers = true
+    )]
     fov: f64,
-    /// An orthographic camera instead, and how many units the height of the picture shows
-    #[arg(long, value_name = "HEIGHT", conflicts_with = "fov", value_parser = within(1.0 / 65_536.0, 32_000.0), allow_negative_numbers = true)]
+    /// Use an orthographic camera instead; the picture shows this many units from top to bottom
+    #[arg(
+        long,
+        value_name = "HEIGHT",
+        conflicts_with = "fov",
+        value_parser = within(1.0 / 65_536.0, 32_000.0),
+        allow_negative_numbers = true
+    )]
     orthographic: Option<f64>,
     /// Distance of the near plane from the camera
-    #[arg(long, value_name = "UNITS", default_value_t = View::default().near, value_parser = within(1.0 / 65_536.0, 65_535.0), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "UNITS",
+        default_value_t = View::default().near,
+        value_parser = within(1.0 / 65_536.0, 65_535.0),
+        allow_negative_numbers = true
+    )]
     near: f64,
     /// Distance of the far plane
-    #[arg(long, value_name = "UNITS", default_value_t = View::default().far, value_parser = within(1.0 / 65_536.0, 65_535.0), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "UNITS",
+        default_value_t = View::default().far,
+        value_parser = within(1.0 / 65_536.0, 65_535.0),
+        allow_negative_numbers = true
+    )]
     far: f64,
-    /// Turn of the model about y (up), the first of its three turns
-    #[arg(long, value_name = "DEGREES", default_value_t = View::default().yaw_degrees, value_parser = within(-3_600.0, 3_600.0), allow_negative_numbers = true)]
+    /// Turn of the model about y (up), the first of three turns
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = View::default().yaw_degrees,
+        value_parser = within(-3_600.0, 3_600.0),
+        allow_negative_numbers = true
+    )]
     yaw: f64,
     /// Turn about x (right)
-    #[arg(long, value_name = "DEGREES", default_value_t = View::default().pitch_degrees, value_parser = within(-3_600.0, 3_600.0), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = View::default().pitch_degrees,
+        value_parser = within(-3_600.0, 3_600.0),
+        allow_negative_numbers = true
+    )]
     pitch: f64,
-    /// Turn about z (toward the viewer), the last
-    #[arg(long, value_name = "DEGREES", default_value_t = View::default().roll_degrees, value_parser = within(-3_600.0, 3_600.0), allow_negative_numbers = true)]
+    /// Turn about z (toward the viewer), the last turn
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = View::default().roll_degrees,
+        value_parser = within(-3_600.0, 3_600.0),
+        allow_negative_numbers = true
+    )]
     roll: f64,
     /// Up to this angle between two faces, a computed normal is smooth across their edge
-    #[arg(long, value_name = "DEGREES", default_value_t = Options::default().crease_degrees, value_parser = within(0.0, 180.0), allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        default_value_t = Options::default().crease_degrees,
+        value_parser = within(0.0, 180.0),
+        allow_negative_numbers = true
+    )]
     crease: f64,
     /// Frames of a full turn about y, 1 to 360
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=360))]
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = clap::value_parser!(u32).range(1..=360)
+    )]
     pub(super) frames: u32,
 }
 
@@ -89,7 +159,7 @@ impl ViewOptions {
         }
     }
 
-    /// How to convert the model for it.
+    /// The conversion of the model for it.
     pub(super) fn conversion(&self) -> Options {
         Options { crease_degrees: self.crease, ..Options::default() }
     }
@@ -127,7 +197,7 @@ impl Settings {
             size: view.size,
             subpixel: view.subpixel.bits(),
             depth: name(&DEPTHS, view.depth),
-            shading: name(&SHADINGS, view.shading),
+            shading: name(&Shading::NAMES, view.shading),
             distance: view.distance,
             fov,
             height,
@@ -140,7 +210,7 @@ impl Settings {
         }
     }
 
-    /// In a few words.
+    /// The settings in a line.
     pub(super) fn summary(&self) -> String {
         let [width, height] = self.size;
         format!(
@@ -211,8 +281,9 @@ mod tests {
 
     #[test]
     fn every_option_arrives() {
-        let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --distance 4 --orthographic 2.5 --near 1 --far 9 \
-                    --yaw -1 --pitch 2 --roll 3 --crease 10 --frames 5";
+        let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --distance 4 \
+                    --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+                    --crease 10 --frames 5";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
             size: [7, 9],

@@ -1,18 +1,18 @@
-//! What can go wrong on the way from a file to tables, and what to do about it.
+//! What can go wrong between a file and its tables, and what to do about it.
 
 use std::{io, path::PathBuf};
 
 use thiserror::Error;
 
-/// Why a model could not be converted.
+/// Why a model cannot be converted.
 #[derive(Debug, Error)]
 pub enum ModelError {
-    /// The file could not be opened or read.
+    /// The file cannot be opened or read.
     #[error("{path}: {source}: check the path and that the file may be read")]
     Read {
         /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// The operating system's error.
         source: io::Error,
     },
     /// The path names a directory.
@@ -24,7 +24,7 @@ pub enum ModelError {
     /// The path names a device, a pipe or a socket.
     #[error("{path} is not an ordinary file: save the model to a file first")]
     NotAFile {
-        /// What was named.
+        /// The path.
         path: PathBuf,
     },
     /// The file has no bytes.
@@ -45,7 +45,8 @@ pub enum ModelError {
     },
     /// The file has no `v` line.
     #[error(
-        "{path} has no vertices (lines `v x y z`): is it an OBJ file, and was anything selected for export?"
+        "{path} has no vertices (lines `v x y z`): is it an OBJ file, and was anything selected \
+         for export?"
     )]
     NoVertices {
         /// The file.
@@ -53,7 +54,8 @@ pub enum ModelError {
     },
     /// The file has no `f` line.
     #[error(
-        "{path} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points or curves"
+        "{path} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points \
+         or curves"
     )]
     NoFaces {
         /// The file.
@@ -61,7 +63,8 @@ pub enum ModelError {
     },
     /// All vertices of all faces coincide.
     #[error(
-        "{path} has no size: all its faces' vertices lie at one point; export it again with more decimal places"
+        "{path} has no size: all vertices of its faces lie at one point: export it again with more \
+         decimal places"
     )]
     NoSize {
         /// The file.
@@ -77,19 +80,20 @@ pub enum ModelError {
     },
     /// The vertices do not fit indices of 16 bits.
     #[error(
-        "{path} needs {count} vertices, more than the 65,536 that 16-bit indices can name: simplify the model, split it \
-         into several, raise the crease angle, or leave out normals or texture coordinates"
+        "{path} needs {count} vertices, more than the 65,536 that 16-bit indices can name: \
+         simplify the model, split it into several, raise the crease angle, or leave out normals \
+         or texture coordinates"
     )]
     TooManyVertices {
         /// The file.
         path: PathBuf,
-        /// How many there are after equal ones were merged.
+        /// How many there are after equal ones are merged.
         count: usize,
     },
-    /// [`Fit::Keep`](super::Fit::Keep) was asked for and a coordinate is out of range.
+    /// With [`Fit::Keep`](super::Fit::Keep), a coordinate is out of range.
     #[error(
-        "{path}: coordinate {value} does not fit Q16.16 (-32,768 to 32,767.99998): use the unit fit, or scale or move \
-         the model"
+        "{path}: coordinate {value} does not fit Q16.16 (-32,768 to 32,767.99998): use the unit \
+         fit, or scale or move the model"
     )]
     OutOfRange {
         /// The file.
@@ -97,9 +101,10 @@ pub enum ModelError {
         /// The coordinate.
         value: f64,
     },
-    /// [`Fit::Keep`](super::Fit::Keep) was asked for and the model is tiny.
+    /// With [`Fit::Keep`](super::Fit::Keep), the model is too small for its steps.
     #[error(
-        "{path} measures {size} units, too few steps of 1/65,536 to show its shape: use the unit fit, or scale the model"
+        "{path} measures {size} units, too few steps of 1/65,536 to show its shape: use the unit \
+         fit, or scale the model"
     )]
     TooSmall {
         /// The file.
@@ -107,10 +112,10 @@ pub enum ModelError {
         /// Its largest extent along an axis.
         size: f64,
     },
-    /// Texture coordinates were asked for and the file has none.
+    /// The contents include texture coordinates and the file has none.
     #[error(
-        "{path} has no texture coordinates (lines `vt u v`, faces `f 1/1 2/2 3/3`): export them, or leave them out of \
-         the contents"
+        "{path} has no texture coordinates (lines `vt u v`, faces `f 1/1 2/2 3/3`): export them, \
+         or leave them out of the contents"
     )]
     NoTextureCoordinates {
         /// The file.
@@ -118,8 +123,8 @@ pub enum ModelError {
     },
     /// The texture coordinates cover more than a `u16` can count.
     #[error(
-        "{path}: texture coordinates range over {range} repeats of the texture, which 16 bits cannot hold: move the \
-         texture islands together or scale them down"
+        "{path}: texture coordinates range over {range} repeats of the texture, which 16 bits \
+         cannot hold: move the texture islands together or scale them down"
     )]
     TextureRange {
         /// The file.
@@ -129,33 +134,32 @@ pub enum ModelError {
     },
     /// The crease angle is out of range.
     #[error(
-        "a crease angle of {degrees} degrees makes no sense: choose 0 (all edges hard) to 180 (all smooth)"
+        "a crease angle of {degrees} degrees is out of range: choose 0 (all edges hard) to 180 \
+         (all smooth)"
     )]
     Crease {
         /// The angle given.
         degrees: f64,
     },
-    /// The parser refused what the line checks let pass.
-    #[error("{path}: the OBJ parser says: {source}")]
+    /// The parser rejects a file that passes the line checks.
+    #[error("{path}: the OBJ parser fails: {source}")]
     Parse {
         /// The file.
         path: PathBuf,
-        /// What it said.
+        /// The parser's error.
         source: tobj::LoadError,
     },
-    /// The result could not be written.
-    #[error(
-        "{path} could not be written: {source}: check that its directory exists and may be written to"
-    )]
+    /// The result cannot be written.
+    #[error("{path} cannot be written: {source}: check that its directory exists and is writable")]
     Write {
-        /// The file that was to be written.
+        /// The file.
         path: PathBuf,
-        /// What the operating system said.
+        /// The operating system's error.
         source: io::Error,
     },
     /// There is no `OUT_DIR`.
     #[error(
-        "OUT_DIR is not set: call this from a build script (build.rs), which Cargo gives that variable"
+        "OUT_DIR is not set: call this from a build script (build.rs), for which Cargo sets it"
     )]
     NoOutDir,
 }
@@ -165,7 +169,8 @@ pub enum ModelError {
 pub enum LineFault {
     /// A byte that UTF-8 does not allow.
     #[error(
-        "byte 0x{byte:02X} is not UTF-8 text: save the file as UTF-8, or remove accented letters from its comments"
+        "byte 0x{byte:02X} is not UTF-8 text: save the file as UTF-8, or remove accented letters \
+         from its comments"
     )]
     NotUtf8 {
         /// The byte.
@@ -173,7 +178,8 @@ pub enum LineFault {
     },
     /// Fewer numbers than the statement needs.
     #[error(
-        "`{keyword}` needs {needed} numbers and has {found}: complete the line or export the model again"
+        "`{keyword}` needs {needed} numbers and has {found}: complete the line or export the model \
+         again"
     )]
     TooFewNumbers {
         /// `v`, `vn` or `vt`.
@@ -183,7 +189,7 @@ pub enum LineFault {
         /// How many it has.
         found: usize,
     },
-    /// A word that is no number.
+    /// A word that is not a number.
     #[error("`{word}` is not a number: write it like 1.5 or -2e-3, with a point and no comma")]
     NotANumber {
         /// The word.
@@ -199,7 +205,8 @@ pub enum LineFault {
     },
     /// A face of one or two corners.
     #[error(
-        "a face needs 3 corners or more and has {found}: remove the line, or make it a line element `l`"
+        "a face needs 3 corners or more and has {found}: remove the line, or make it a line \
+         element `l`"
     )]
     TooFewCorners {
         /// How many it has.
@@ -217,9 +224,10 @@ pub enum LineFault {
         /// The corner.
         corner: String,
     },
-    /// An index that nothing answers to.
+    /// An index beyond the table.
     #[error(
-        "`{corner}` names {kind} {index}, but there are {count}: check the export, or that no lines are missing"
+        "`{corner}` names {kind} {index}, but there are {count}: check the export, or that no \
+         lines are missing"
     )]
     IndexOutOfRange {
         /// The corner.
@@ -233,8 +241,8 @@ pub enum LineFault {
     },
 }
 
-/// Shortens a word for a message: a file of one endless line must not become a message of that
-/// length.
+/// Shortens a word for a message, so that a file of one endless line does not become an endless
+/// message.
 pub(super) fn quote(word: &str) -> String {
     const LONGEST: usize = 40;
     let mut short: String = word.chars().take(LONGEST).collect();

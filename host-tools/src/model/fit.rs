@@ -1,4 +1,4 @@
-//! Where the model lies and how large it is.
+//! The position and the size of a model.
 
 use std::path::Path;
 
@@ -13,8 +13,8 @@ use super::{
 /// The steps of Q16.16 in a unit.
 const ONE: f64 = 65_536.0;
 
-/// The smallest half-extent kept as it is: 64 steps of Q16.16. Rounding the offset to such a step
-/// then lengthens the half-extent, and so the quantum, by at most half a step in 64, 0.8 %.
+/// The smallest half-extent that [`Fit::Keep`] accepts: 64 steps of Q16.16. Rounding the offset to
+/// a step lengthens it, and so the quantum, by at most half a step in 64, 0.8 %.
 const SMALLEST: f64 = 64.0 / ONE;
 
 /// Positions in the units that the tables describe, and the place of their origin.
@@ -22,30 +22,30 @@ const SMALLEST: f64 = 64.0 / ONE;
 pub(super) struct Fitted {
     /// The exact positions.
     pub positions: Vec<Vector>,
-    /// What the tables' positions are relative to.
+    /// The origin of the tables' positions.
     pub offset: Vec3,
 }
 
-/// The same shape with its largest coordinate from 1 to 2. The factor is a power of two, so nothing
-/// is rounded, and no product of coordinates leaves the range of f64 after it.
+/// Scales a shape so that its largest coordinate lies from 1 to 2. The factor is a power of two, so
+/// nothing is rounded, and no product of the results leaves the range of f64.
 pub(super) fn to_common_size(positions: &[Vector]) -> Vec<Vector> {
     let m = positions.iter().fold(0.0, |m: f64, &p| m.max(largest(p)));
     if m == 0.0 {
         return positions.to_vec();
     }
-    // Half of the exponent at a time: 2^1074, for the smallest f64, is not one itself.
+    // Half of the exponent at a time: 2^1074, the factor for the smallest f64, is itself no f64.
     let exponent = -m.log2().floor() as i32;
     let (half, rest) = (exponent / 2, exponent - exponent / 2);
     let (half, rest) = (2_f64.powi(half), 2_f64.powi(rest));
     positions.iter().map(|p| p.map(|x| x * half * rest)).collect()
 }
 
-/// Whether all points are one.
+/// Whether all points coincide.
 pub(super) fn has_no_size(positions: &[Vector]) -> bool {
     positions.iter().all(|p| *p == positions[0])
 }
 
-/// Applies a fit. `original` are the file's positions and `shape` the same in a common size.
+/// Applies a fit. `original` are the file's positions, `shape` those of [`to_common_size`].
 pub(super) fn fit(
     path: &Path,
     original: &[Vector],

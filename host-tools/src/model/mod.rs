@@ -3,12 +3,12 @@
 //! [`Model::load`] checks the file line by line, cuts its polygons into triangles, computes the
 //! normals it lacks, merges equal vertices, fits and quantises them, and orders the triangles for
 //! vertex reuse. [`emit::source`] writes the result as Rust; [`convert_for_build`] does all of it
-//! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps what
-//! they stood for before they were rounded.
+//! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
+//! values before rounding.
 //!
-//! Of an OBJ file, positions, normals, texture coordinates, faces and diffuse colours are used.
-//! Points, lines, curves, smoothing groups, vertex colours and the names of textures are passed
-//! over.
+//! The converter reads positions, normals, texture coordinates, faces and diffuse colours of an OBJ
+//! file. It ignores points, lines, curves, smoothing groups, vertex colours and the names of
+//! textures.
 
 pub mod emit;
 mod error;
@@ -56,7 +56,7 @@ pub struct Options {
     pub crease_degrees: f64,
     /// Which tables to make.
     pub contents: Contents,
-    /// The name of the static; without, that of the file.
+    /// The name of the static; `None` for that of the file.
     pub name: Option<String>,
 }
 
@@ -78,7 +78,7 @@ pub enum Fit {
     /// The middle of its bounding box at the origin, its farthest vertex at a distance of 1.
     #[default]
     Unit,
-    /// The file's own coordinates, which have to lie in Q16.16.
+    /// The file's own coordinates, which must lie in Q16.16.
     Keep,
 }
 
@@ -114,11 +114,11 @@ impl Default for Contents {
 pub struct Model {
     /// The name of the static, in capitals.
     pub name: String,
-    /// How it was converted.
+    /// How it is converted.
     pub options: Options,
-    /// The files it was made from: the OBJ, then its material libraries.
+    /// The files it is made from: the OBJ, then its material libraries.
     pub provenance: Vec<Provenance>,
-    /// The paths of these, and of libraries that could not be read.
+    /// The paths of these, and of libraries that cannot be read.
     pub inputs: Vec<PathBuf>,
     /// Positions in quanta.
     pub positions: Vec<[i16; 3]>,
@@ -138,11 +138,11 @@ pub struct Model {
     pub triangles: Indices,
     /// The colours and how many triangles each covers.
     pub materials: Vec<Material>,
-    /// The tables before they were rounded.
+    /// The tables before rounding.
     pub exact: Exact,
-    /// What the conversion changed.
+    /// What the conversion changes.
     pub report: Report,
-    /// What was passed over.
+    /// What the conversion ignores.
     pub warnings: Vec<String>,
 }
 
@@ -164,7 +164,7 @@ impl Indices {
         }
     }
 
-    /// Borrowed, as a mesh wants them.
+    /// Borrows them for a mesh.
     #[must_use]
     pub fn as_triangles(&self) -> Triangles<'_> {
         match self {
@@ -174,8 +174,8 @@ impl Indices {
     }
 }
 
-/// What the tables stood for before they were rounded, in the same order and units. A table that
-/// was left out is empty here too.
+/// The values of the tables before rounding, in the same order and units. A table that is left out
+/// is empty here too.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Exact {
     /// Positions in model units.
@@ -188,15 +188,15 @@ pub struct Exact {
     pub texture_coordinates: Vec<[f64; 2]>,
 }
 
-/// A file that went into a model.
+/// A file that a model is made from.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Provenance {
     /// Its name without directories.
     pub file_name: String,
     /// Its size.
     pub bytes: usize,
-    /// The 64-bit FNV-1a hash of its bytes (Fowler, Noll and Vo), which no version of a library or
-    /// compiler changes.
+    /// The 64-bit FNV-1a hash of its bytes (Fowler, Noll and Vo), which is the same in every
+    /// version of a library or compiler.
     pub hash: u64,
 }
 
@@ -218,9 +218,9 @@ impl Model {
     ///
     /// # Errors
     ///
-    /// If the file cannot be read, a line of it is wrong, or the model does not fit the tables;
-    /// each error names the file, the line if there is one, and what to do. Faults of material
-    /// libraries are only [warnings](Self::warnings).
+    /// Returns an error if the file cannot be read, a line of it is wrong, or the model does not
+    /// fit the tables. Each error names the file, the line if there is one, and what to do. Faults
+    /// of material libraries are only [warnings](Self::warnings).
     pub fn load(path: impl AsRef<Path>, options: &Options) -> Result<Self, ModelError> {
         let path = path.as_ref();
         let degrees = options.crease_degrees;
@@ -263,7 +263,8 @@ impl Model {
             quantize::textures(path, &exact.texture_coordinates)?;
         if texture_fraction_bits < 8 {
             checked.warnings.push(format!(
-                "{}: texture coordinates range so far that their steps are 1/{} of a texture: move its islands together",
+                "{}: texture coordinates range so far that their steps are 1/{} of a texture: \
+                 move its islands together",
                 path.display(),
                 1 << texture_fraction_bits
             ));
@@ -310,11 +311,11 @@ impl Model {
         Ok(model)
     }
 
-    /// The tables as a mesh that can be drawn.
+    /// Returns the tables as a mesh that can be drawn.
     ///
     /// # Panics
     ///
-    /// If the fields were changed into something that is no mesh.
+    /// Panics if the fields have been changed and are no valid mesh.
     #[must_use]
     pub fn mesh(&self) -> Mesh<'_> {
         Mesh::new_const(Tables {
@@ -332,7 +333,7 @@ impl Model {
         })
     }
 
-    /// Fills in the figures that compare the tables with what they stand for.
+    /// Fills in the figures that compare the tables with the exact values.
     fn measure(&mut self) {
         let offset = fit::offset_units(self.offset);
         let distances = self

@@ -1,7 +1,6 @@
 //! The colours of an OBJ's material libraries.
 //!
-//! A missing or broken library costs the model its colours, not its conversion: each fault is a
-//! warning.
+//! Without its library a model loses its colours but is still converted: each fault is a warning.
 
 use std::{
     collections::HashSet,
@@ -19,33 +18,32 @@ use super::{
 /// The colour of a face without a material, or with one whose colour is unknown.
 pub(super) const DEFAULT_COLOR: [u8; 3] = [200; 3];
 
-/// The longest `mtllib` that is tried, in bytes: the longest path that common systems take.
+/// The longest `mtllib` that is tried, in bytes: the longest path that common systems accept.
 const LONGEST: usize = 4096;
 
 /// All libraries of a model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Libraries {
-    /// The statements that count, `newmtl` and `Kd`, each checked: `tobj` panics on a `Kd` of
-    /// fewer than three numbers and drops the whole library for a fault in a line that has
-    /// nothing to do with colour.
+    /// Its `newmtl` and `Kd` statements alone, each checked: `tobj` panics on a `Kd` of fewer than
+    /// three numbers, and drops the whole library for a fault in a line that does not matter to
+    /// colour.
     pub text: String,
-    /// The files named, whether they could be read or not.
+    /// The files named, readable or not.
     pub paths: Vec<PathBuf>,
     /// The files read.
     pub files: Vec<Provenance>,
-    /// What was missing or broken.
+    /// What is missing or broken.
     pub warnings: Vec<String>,
 }
 
-/// Reads the libraries that the OBJ file at `obj` names, and says which of its materials have no
-/// colour.
+/// Reads the libraries that the OBJ file at `obj` names, and warns of materials without a colour.
 pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
     let mut libraries = Libraries::default();
     let mut colored = HashSet::new();
     for (line, argument) in &checked.libraries {
         if argument.is_empty() || argument.len() > LONGEST {
             let (obj, name) = (obj.display(), quote(argument));
-            let warning = format!("{obj}:{line}: `mtllib {name}` names no file: passed over");
+            let warning = format!("{obj}:{line}: `mtllib {name}` names no file: ignored");
             libraries.warnings.push(warning);
             continue;
         }
@@ -64,7 +62,8 @@ pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
     }
     for (line, name) in checked.materials.iter().filter(|(_, name)| !colored.contains(name)) {
         libraries.warnings.push(format!(
-            "{}:{line}: no material library gives `{}` a colour (`newmtl {}`, then `Kd r g b`): it is drawn in grey",
+            "{}:{line}: no material library gives `{}` a colour (`newmtl {}`, then `Kd r g b`): \
+             it is drawn in grey",
             obj.display(),
             quote(name),
             quote(name)
@@ -73,9 +72,9 @@ pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
     libraries
 }
 
-/// The files that a `mtllib` names. The format separates several by blanks, yet many a file name
-/// holds blanks: the whole is one name if there is such a file or no more than one of its words
-/// looks like a library's name.
+/// The files that a `mtllib` names. The format separates names by blanks, but names themselves
+/// often have blanks. So the whole argument is one name if that file exists, or if at most one of
+/// its words looks like a library's name.
 fn files(obj: &Path, argument: &str) -> Vec<PathBuf> {
     let beside = |name: &str| obj.parent().unwrap_or(Path::new("")).join(name);
     let names: Vec<&str> = argument.split_whitespace().collect();
@@ -119,16 +118,12 @@ fn library(
             ("Kd", None) => "`Kd` before any `newmtl`",
             _ => continue,
         };
-        libraries.warnings.push(format!(
-            "{}:{}: {fault}: passed over",
-            path.display(),
-            statement.line
-        ));
+        libraries.warnings.push(format!("{}:{}: {fault}: ignored", path.display(), statement.line));
     }
     Ok(())
 }
 
-/// `Kd r g b`; `Kd r` is the grey of that value.
+/// Reads `Kd r g b`; `Kd r` is the grey of that value.
 fn color(statement: &Statement<'_>) -> Option<[f64; 3]> {
     let values: Vec<f64> = statement
         .arguments()
@@ -166,8 +161,9 @@ mod tests {
     }
 
     #[test]
-    fn colours_are_read_and_everything_else_passed_over() {
-        let text = b"# c\r\nnewmtl\tdark red\r\nillum what\r\nKd 0.5 0 \\\r\n0 # c\r\nnewmtl g\r\nKd 0.25\r\nKa 1";
+    fn colours_are_read_and_everything_else_is_ignored() {
+        let text = b"# c\r\nnewmtl\tdark red\r\nillum what\r\nKd 0.5 0 \\\r\n0 # c\r\n\
+                     newmtl g\r\nKd 0.25\r\nKa 1";
         let libraries = libraries(Some(text), &["dark red", "g"]);
         assert_eq!(libraries.text, "newmtl dark red\nKd 0.5 0 0\nnewmtl g\nKd 0.25 0.25 0.25\n");
         assert_eq!(libraries.warnings, [""; 0]);

@@ -7,18 +7,19 @@ use super::{
 
 /// The unit normal of a triangle that is counter-clockwise seen from its front.
 pub(super) fn face_normal([a, b, c]: [Vector; 3]) -> Vector {
-    // Of the three cross products that agree but for rounding, this is the one at the first corner.
+    // The cross products at the three corners are equal except for rounding; this is the first's.
     normalized(cross(sub(b, a), sub(c, a))).unwrap_or([0.0, 0.0, 1.0])
 }
 
 /// A unit normal for each corner of each triangle.
 ///
-/// The file's own where it gives one. Elsewhere the mean of the normals of the faces round the
-/// position, each weighted by its angle there, so that how a polygon was cut makes no difference
-/// (Thürmer and Wüthrich, "Computing vertex normals from polygonal facets", Journal of Graphics
-/// Tools 3(1), 1998); only faces that are turned by no more than `crease` radians from the corner's
-/// own take part, so that sharper edges stay hard. The time is quadratic in the number
-/// of faces round one position, which is small except at the tip of a cone of thousands of sides.
+/// A corner keeps the file's normal if there is one. Otherwise it gets the mean of the normals of
+/// the faces round its position, each weighted by its angle there, so that the mean does not depend
+/// on how a polygon is cut (Thürmer and Wüthrich, "Computing vertex normals from polygonal facets",
+/// Journal of Graphics Tools 3(1), 1998). The mean includes only faces that are turned by no more
+/// than `crease` radians from the corner's own, so that sharper edges stay hard. The time is
+/// quadratic in the number of faces round one position, which is small except at the tip of a cone
+/// of thousands of sides.
 pub(super) fn corner_normals(
     triangles: &[Triangle],
     positions: &[Vector],
@@ -40,7 +41,7 @@ pub(super) fn corner_normals(
             around[triangle.corners[corner].position as usize].push((face, opening));
         }
     }
-    // An angle equal to the crease is within it, whatever its cosine was rounded to.
+    // An angle equal to the crease is within it, also if its cosine is rounded down.
     let least = crease.cos() - 1e-9;
     let smooth = |face: usize, position: u32| {
         let (mut sum, mut weight) = ([0.0; 3], 0.0);
@@ -50,7 +51,7 @@ pub(super) fn corner_normals(
                 weight += opening;
             }
         }
-        // Faces back to back cancel out but for rounding, which has no direction.
+        // The normals of faces back to back cancel out. What remains is rounding noise.
         if dot(sum, sum).sqrt() > 1e-9 * weight {
             normalized(sum).unwrap_or(faces[face])
         } else {

@@ -25,9 +25,9 @@ pub(super) struct Polygons {
 /// A corner of a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Corner {
-    /// The place of its position in [`Polygons::positions`].
+    /// Index of its position in [`Polygons::positions`].
     pub position: u32,
-    /// The normal that the file gives it, of any length; 0 if none.
+    /// Its normal in the file, of any length; 0 without one.
     pub normal: Vector,
     /// Its texture coordinates as in the file, v running upwards.
     pub texture: [f64; 2],
@@ -73,7 +73,7 @@ pub(super) fn read(
             });
         }
         if mesh.face_arities.is_empty() {
-            // `tobj` leaves the arities out where all faces are triangles.
+            // `tobj` leaves the arities out if all faces are triangles.
             polygons.faces.extend(std::iter::repeat_n((3, material), mesh.indices.len() / 3));
         } else {
             polygons
@@ -105,10 +105,11 @@ mod tests {
 
     #[test]
     fn corners_keep_their_own_indices() {
-        // The second face leaves out what the first has, names a vertex further down, and repeats a
-        // position.
+        // The second face leaves out texture coordinates and normals, names a vertex further down,
+        // and repeats a position.
         let polygons = polygons(
-            "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 0.25\nvn 0 0 3\nf 1/1/1 2/1/1 3/1/1\nf 1 -2 4 5\nv 0.1 -0 0\nv 2 2 2",
+            "v 0.1 0 0\nv 1 0 0\nv 0 1 0\nvt 0.5 0.25\nvn 0 0 3\nf 1/1/1 2/1/1 3/1/1\n\
+             f 1 -2 4 5\nv 0.1 -0 0\nv 2 2 2",
         );
         assert_eq!(polygons.positions[0], [0.1, 0.0, 0.0]);
         let indices: Vec<u32> = polygons.corners.iter().map(|c| c.position).collect();
@@ -124,7 +125,8 @@ mod tests {
     #[test]
     fn materials_are_those_in_force() {
         let polygons = polygons(
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl a\no x\nf 1 2 3\ng\nusemtl c\nf 1 2 3",
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl a\no x\n\
+             f 1 2 3\ng\nusemtl c\nf 1 2 3",
         );
         let colors: Vec<[u8; 3]> =
             polygons.faces.iter().map(|&(_, m)| polygons.colors[m]).collect();

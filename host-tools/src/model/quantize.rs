@@ -16,8 +16,8 @@ pub(super) fn quantum(scale: Scale) -> f64 {
 
 /// Positions relative to `offset` as integers, the largest coordinate being 32,767.
 ///
-/// The scale is rounded to 32 bits first and the positions to multiples of what it then is, so that
-/// each coordinate is off by half a quantum at most and the scale's own rounding costs nothing.
+/// The scale is rounded to 32 bits first, and the positions to multiples of the rounded scale. So
+/// each coordinate is off by half a quantum at most, and the scale's own rounding costs nothing.
 pub(super) fn positions(exact: &[Vector], offset: Vector) -> (Vec<[i16; 3]>, Scale) {
     let relative = exact.iter().map(|&p| sub(p, offset));
     let half_extent = relative.clone().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
@@ -30,8 +30,8 @@ pub(super) fn positions(exact: &[Vector], offset: Vector) -> (Vec<[i16; 3]>, Sca
 fn nearest_scale(value: f64) -> Scale {
     let exponent = value.log2().floor() as i32 - 31;
     let mantissa = (value / 2_f64.powi(exponent)).round();
-    // A logarithm rounded the wrong way, or a mantissa rounded up to the next power of two, needs a
-    // bit more.
+    // A logarithm rounded the wrong way, or a mantissa rounded up to the next power of two, gives
+    // 33 bits.
     if mantissa < f64::from(u32::MAX) {
         Scale::new(mantissa as u32, exponent)
     } else {
@@ -39,16 +39,16 @@ fn nearest_scale(value: f64) -> Scale {
     }
 }
 
-/// The position that integers stand for.
+/// The position of quantised coordinates.
 pub(super) fn position(quantised: [i16; 3], scale: Scale, offset: Vector) -> Vector {
     [0, 1, 2].map(|i| offset[i] + quantum(scale) * f64::from(quantised[i]))
 }
 
 /// A unit normal in 127ths.
 ///
-/// Of the eight triples round it, that of the least angle whose length is off by no more than
-/// rounding each coordinate could make it, half the diagonal of a cube of side 1: a shader that
-/// takes the length for 1 loses nothing.
+/// Picks one of the eight integer triples round it: the one of the least angle whose length is off
+/// by at most half the diagonal of a cube of side 1. Rounding each coordinate gives no better
+/// bound, so a shader that takes the length for 1 loses nothing.
 pub(super) fn normal(exact: Vector) -> [i8; 3] {
     let target = exact.map(|x| x * 127.0);
     let candidates = (0..8).map(|corner| {
@@ -64,14 +64,15 @@ pub(super) fn normal(exact: Vector) -> [i8; 3] {
     best.unwrap_or_else(|| target.map(f64::round)).map(|x| x as i8)
 }
 
-/// By how many radians a quantised normal is off.
+/// The angle between a quantised normal and the exact one, in radians.
 pub(super) fn normal_error(quantised: [i8; 3], exact: Vector) -> f64 {
     angle(quantised.map(f64::from), exact)
 }
 
-/// Texture coordinates with v running down from the texture's top left, no less than 0.
+/// Turns texture coordinates so that v runs down from the texture's top left, and makes them
+/// positive or 0.
 ///
-/// Textures repeat, so whole numbers come off either axis without a visible change.
+/// Textures repeat, so subtracting a whole number along an axis changes nothing that is seen.
 pub(super) fn turn_textures(textures: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let turned = textures.iter().map(|&[u, v]| [u, 1.0 - v]);
     let whole = turned
@@ -81,8 +82,8 @@ pub(super) fn turn_textures(textures: &[[f64; 2]]) -> Vec<[f64; 2]> {
     turned.map(|t| [t[0] - whole[0], t[1] - whole[1]]).collect()
 }
 
-/// Turned texture coordinates in the finest fraction of a repeat whose largest multiple fits, and
-/// its bits.
+/// Turned texture coordinates in units of 2^-bits repeats, and the bits: as many as the largest
+/// coordinate leaves.
 pub(super) fn textures(
     path: &Path,
     turned: &[[f64; 2]],
@@ -119,7 +120,7 @@ mod tests {
             assert_eq!(largest, Some(32_767));
             for (&q, &p) in table.iter().zip(&exact) {
                 let error = sub(position(q, scale, offset), p);
-                // and what f64 itself rounds
+                // And the rounding of f64 itself.
                 let limit = quantum(scale) * 0.5 + 1e-15 * size;
                 assert!(error.iter().all(|e| e.abs() <= limit), "{q:?} for {p:?}");
             }

@@ -1,4 +1,4 @@
-//! What the conversion changed and what its result takes.
+//! What the conversion changes, and the memory of its result.
 
 use std::fmt;
 
@@ -67,7 +67,7 @@ impl Flash {
         ]
     }
 
-    /// All tables together. The `Mesh` that refers to them takes some 120 bytes more.
+    /// The bytes of all tables. The `Mesh` that refers to them takes some 120 bytes more.
     #[must_use]
     pub fn total(&self) -> usize {
         self.tables().iter().map(|(_, bytes)| bytes).sum()
@@ -83,7 +83,7 @@ impl Report {
 }
 
 impl fmt::Display for Report {
-    /// One figure a line.
+    /// Writes one figure per line.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
@@ -101,7 +101,8 @@ impl fmt::Display for Report {
         writeln!(f, "Size (diagonal of the bounding box): {:.4} units", self.size)?;
         writeln!(
             f,
-            "Position error: {:.2e} units at most ({:.5} % of the size), {:.2e} root mean square ({:.5} %)",
+            "Position error: {:.2e} units at most ({:.5} % of the size), \
+             {:.2e} root mean square ({:.5} %)",
             self.position_error_max,
             self.percent_of_size(self.position_error_max),
             self.position_error_rms,
@@ -130,7 +131,7 @@ impl fmt::Display for Report {
     }
 }
 
-/// 1234567 as 1,234,567.
+/// Writes 1234567 as 1,234,567.
 #[must_use]
 pub fn thousands(number: usize) -> String {
     grouped(number, ',')

@@ -1,14 +1,14 @@
 //! From a file's bytes to its statements, each with the number of its line.
 //!
-//! Wavefront's format ("Object Files (.obj)", appendix B1 of the Advanced Visualizer manual) is one
-//! statement a line; `#` starts a comment and `\` at the end of a line continues the statement on
-//! the next.
+//! Wavefront's format ("Object Files (.obj)", appendix B1 of the Advanced Visualizer manual) has
+//! one statement per line. `#` starts a comment, and `\` at the end of a line continues the
+//! statement on the next.
 
 use std::{borrow::Cow, fs, path::Path};
 
 use super::error::{LineFault, ModelError};
 
-/// Reads a whole file. A device or a pipe, which may never end, is refused.
+/// Reads a whole file. Refuses a device or a pipe, which may never end.
 pub(super) fn read(path: &Path) -> Result<Vec<u8>, ModelError> {
     let path_buf = || path.to_path_buf();
     let failed = |source| ModelError::Read { path: path_buf(), source };
@@ -22,7 +22,7 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, ModelError> {
     fs::read(path).map_err(failed)
 }
 
-/// The bytes as text, without a byte order mark.
+/// Returns the bytes as text, without a byte order mark.
 pub(super) fn text<'a>(path: &Path, bytes: &'a [u8]) -> Result<&'a str, ModelError> {
     match str::from_utf8(bytes) {
         Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
@@ -56,7 +56,7 @@ impl Statement<'_> {
         self.text.split_whitespace().skip(1)
     }
 
-    /// All that follows the keyword: a name may have blanks in it.
+    /// All the text after the keyword: a name may have blanks.
     pub(super) fn name(&self) -> &str {
         self.text[self.keyword().len()..].trim()
     }
@@ -100,8 +100,8 @@ fn first_word(text: &str) -> Option<&str> {
     text.split_whitespace().next()
 }
 
-/// Names may hold a `#` ("Material #25" is a common one), so only whole-line comments are cut from
-/// a statement with one.
+/// Cuts the comment off a line. Names may have a `#` ("Material #25" is a common one), so a
+/// statement with a name keeps its whole line.
 fn without_comment<'a>(keyword: Option<&str>, line: &'a str) -> &'a str {
     match keyword {
         Some("mtllib" | "newmtl" | "usemtl") => line,
@@ -109,7 +109,7 @@ fn without_comment<'a>(keyword: Option<&str>, line: &'a str) -> &'a str {
     }
 }
 
-/// Lines ended by LF, CR LF or a lone CR.
+/// The lines of a text. LF, CR LF or a lone CR ends a line.
 fn lines(text: &str) -> impl Iterator<Item = &str> {
     let mut rest = text;
     std::iter::from_fn(move || {
@@ -149,7 +149,7 @@ mod tests {
     fn comments_end_statements_but_not_names() {
         assert_eq!(split("v 1 2 3# x\n#v\n # y"), [(1, "v 1 2 3".into())]);
         assert_eq!(split("usemtl Material #25"), [(1, "usemtl Material #25".into())]);
-        // a Windows path in a comment does not swallow the next line
+        // A Windows path in a comment does not swallow the next line.
         assert_eq!(split("# C:\\models\\\nv 1"), [(2, "v 1".into())]);
     }
 

@@ -10,15 +10,16 @@ use super::{
 mod shipped;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
-const CUBE: &str = "mtllib cube.mtl\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
-                    usemtl red\nf 5 6 7 8\nf 2 1 4 3\nusemtl blue\nf 6 2 3 7\nf 1 5 8 4\nusemtl red\nf 8 7 3 4\nf 1 2 6 5\n";
+const CUBE: &str = "mtllib cube.mtl\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n\
+                    v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\nusemtl red\nf 5 6 7 8\nf 2 1 4 3\n\
+                    usemtl blue\nf 6 2 3 7\nf 1 5 8 4\nusemtl red\nf 8 7 3 4\nf 1 2 6 5\n";
 const CUBE_MTL: &str = "newmtl unused\nKd 1 1 1\nnewmtl blue\nKd 0 0 1.5\nnewmtl red\nKd 0.5 0 0\n";
 
 /// A square with texture coordinates, cut along a seam.
-const SEAM: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt -1 1\nvt -0.5 -0.5\n\
-                    f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n";
+const SEAM: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt -1 1\n\
+                    vt -0.5 -0.5\nf 1/1 2/2 3/3\nf 1/5 3/3 4/4\n";
 
-/// Writes files into a directory of their own; the first is loaded.
+/// Writes files into a new directory and loads the first.
 fn load_files(files: &[(&str, &[u8])], options: &Options) -> Result<Model, ModelError> {
     let directory = tempfile::tempdir().unwrap();
     for (name, bytes) in files {
@@ -164,7 +165,7 @@ fn a_cube_has_hard_edges_at_60_degrees_and_none_at_180() {
     let smooth = cube(&crease(180.0));
     assert_eq!(smooth.positions.len(), 8);
     for (&normal, &position) in smooth.exact.vertex_normals.iter().zip(&smooth.exact.positions) {
-        // Each corner's three faces weigh the same however they were cut: the normal is the
+        // Each corner's three faces have equal weights, however they are cut: the normal is the
         // diagonal.
         assert!(angle(normal, position) < 1e-12, "{normal:?} at {position:?}");
     }
@@ -201,8 +202,10 @@ fn the_same_model_in_other_writing_is_the_same() {
     )
     .unwrap();
     let variants = [
-        "# c\r\nv\t0 0 0\r\nv 3 0 0 1 0 0\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\ns 1\r\nf 1 3 2\r\nf 1 2 4 \\\r\n\r\nf 2 3 \\\r\n4",
-        "v 0 0 0\nv 3 0 0\nv 0 4 0\nf -3 -1 -2\nv 0 0 5\ng a b\nl 1 2 3 4\np 1\nf -4 -3 -1\nf -3// -2// -1//",
+        "# c\r\nv\t0 0 0\r\nv 3 0 0 1 0 0\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\ns 1\r\n\
+         f 1 3 2\r\nf 1 2 4 \\\r\n\r\nf 2 3 \\\r\n4",
+        "v 0 0 0\nv 3 0 0\nv 0 4 0\nf -3 -1 -2\nv 0 0 5\ng a b\nl 1 2 3 4\np 1\n\
+         f -4 -3 -1\nf -3// -2// -1//",
         "f 1 3 2\nf 1 2 4\nf 2 3 4\nv 0e9 .0 -0\nv 3 0 0 # c\nv 0 4 0\nv +0 0 5.000\nv 9 9 9",
         "\u{feff}v 0 0 0\rv 3 0 0\rv 0 4 0\rv 0 0 5\rvn 0 0 0\rf 1//1 3//1 2//1\rf 1 2 4\rf 2 3 4",
     ];
@@ -220,7 +223,7 @@ fn seams_split_vertices_only_where_textures_are_kept() {
     assert_eq!(load(SEAM, &Options::default()).unwrap().positions.len(), 4);
     let model = load(SEAM, &textured()).unwrap();
     assert_eq!(model.positions.len(), 5);
-    // Smooth across the seam all the same.
+    // The normals are still smooth across the seam.
     assert!(model.vertex_normals.iter().all(|&n| n == [0, 0, 127]));
     // u from -1 to 1 and v from -0.5 to 1 become 0 to 2 and 0 to 1.5, in steps of 2^-14.
     assert_eq!(model.texture_fraction_bits, 14);
@@ -387,7 +390,7 @@ fn emitted_numbers_read_back_the_same() {
     assert_eq!(emit::source(&Model::load(&path, &textured()).unwrap()), source);
 }
 
-/// Files that nobody here made, in the folder that the environment variable names.
+/// Files from other sources, in the folder that the environment variable names.
 #[test]
 fn models_from_elsewhere_load() {
     let Some(folder) = env::var_os("RASTERIZER_MODELS") else {
@@ -412,8 +415,7 @@ fn models_from_elsewhere_load() {
         assert_eq!(report.file_faces, count("f "), "{}", path.display());
         assert_eq!(report.triangles + report.dropped_triangles, cuts, "{}", path.display());
         assert!(report.cache_misses <= report.cache_misses_before, "{}", path.display());
-        // Half a quantum on each axis, and no model's diagonal is shorter than its largest
-        // half-extent.
+        // Half a quantum on each axis; a model's diagonal is at least its largest half-extent.
         let limit = 0.5 * 3_f64.sqrt() / 32_767.0;
         assert!(report.position_error_max <= limit * report.size, "{}", path.display());
         assert_eq!(model.mesh().vertex_count(), model.exact.vertex_normals.len());

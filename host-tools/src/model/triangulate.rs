@@ -16,8 +16,8 @@ pub(super) struct Triangle {
     pub material: usize,
 }
 
-/// Cuts all polygons into triangles by ear clipping, which keeps concave ones whole, and leaves out
-/// triangles without area. Also returns how many were left out.
+/// Cuts all polygons into triangles by ear clipping, which also works for concave ones, and drops
+/// triangles without area. Also returns how many it drops.
 ///
 /// `positions` are those of the polygons, scaled so that no coordinate exceeds 2.
 pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Triangle>, usize) {
@@ -38,7 +38,7 @@ pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Tri
             turn_counter_clockwise(&flat, &mut ears);
         }
         if ears.is_empty() {
-            // A triangle, or a polygon whose area cancels out as that of a figure of eight does.
+            // A triangle, or a polygon whose area cancels out, such as a figure of eight.
             ears.extend((2..ring.len() as u32).flat_map(|i| [0, i - 1, i]));
         }
         for ear in ears.chunks_exact(3) {
@@ -52,7 +52,7 @@ pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Tri
     (triangles, dropped)
 }
 
-/// The polygon seen along the axis nearest to its normal, counter-clockwise. Leaving out a
+/// Projects the polygon along the axis nearest to its normal, counter-clockwise. Dropping a
 /// coordinate, rather than turning the plane, keeps the other two exact.
 fn flattened(ring: &[Vector]) -> Vec<[f64; 2]> {
     let n = newell_normal(ring).map(f64::abs);
@@ -71,15 +71,15 @@ fn flattened(ring: &[Vector]) -> Vec<[f64; 2]> {
     ring.iter().map(|p| [p[u], p[v]]).collect()
 }
 
-/// The polygon's area times twice its normal, which needs no convex corner to start from (Newell's
+/// The polygon's area times twice its normal. Works from any corner, convex or not (Newell's
 /// method; Sutherland et al., "A characterization of ten hidden-surface algorithms", 1974).
 fn newell_normal(ring: &[Vector]) -> Vector {
     let relative = |i: usize| sub(ring[i % ring.len()], ring[0]);
     (1..ring.len()).fold([0.0; 3], |sum, i| add(sum, cross(relative(i), relative(i + 1))))
 }
 
-/// The ear clipper turns all its triangles one way, which one depending on its version: the sign of
-/// their total area tells.
+/// Makes all ears counter-clockwise. The ear clipper gives them all one winding, which depends on
+/// its version, so the sign of their total area decides.
 fn turn_counter_clockwise(points: &[[f64; 2]], ears: &mut [u32]) {
     let area: f64 = ears
         .chunks_exact(3)
@@ -95,10 +95,10 @@ fn turn_counter_clockwise(points: &[[f64; 2]], ears: &mut [u32]) {
 
 /// Whether a triangle has an area beyond the rounding of its coordinates, all at most 2.
 ///
-/// A coordinate c carries an error of up to c * epsilon / 2, thus an edge one of 2 epsilon a
-/// coordinate, thus the cross product of two edges one of about 8 epsilon times the longest edge.
-/// Three points on a slanted line, written in decimals, have no more area than that; their normal
-/// would be noise.
+/// A coordinate c has an error of up to c * epsilon / 2. So each coordinate of an edge has one of 2
+/// epsilon, and the cross product of two edges one of about 8 epsilon times the longest edge. Three
+/// points on a slanted line, written in decimals, have no more area than that: their normal is
+/// noise.
 fn has_area([a, b, c]: [Vector; 3]) -> bool {
     let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)];
     let longest = length(ab).max(length(bc)).max(length(ca));
@@ -128,7 +128,7 @@ mod tests {
         (points, dropped)
     }
 
-    /// An L, concave at its first corner: a fan from there or from anywhere but the elbow folds
+    /// An L, concave at its first corner: a fan from any corner but the first and the fourth folds
     /// over.
     const L: [[f64; 2]; 6] =
         [[1.0, 1.0], [1.0, 2.0], [0.0, 2.0], [0.0, 0.0], [2.0, 0.0], [2.0, 1.0]];
@@ -182,17 +182,17 @@ mod tests {
     #[test]
     fn triangles_without_area_are_dropped_and_counted() {
         assert_eq!(cut(&[[0.1; 3], [0.2; 3], [0.3; 3]]), (vec![], 1));
-        // on one line in decimals, not in binary
+        // On one line in decimals, not in binary.
         assert_eq!(cut(&[[0.05, 0.15, 0.35], [0.1, 0.3, 0.7], [0.15, 0.45, 1.05]]), (vec![], 1));
         assert_eq!(cut(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0; 3]]), (vec![], 1));
         assert_eq!(cut(&[[0.1; 3], [0.2; 3], [0.3; 3], [0.7; 3]]), (vec![], 2));
         let (triangles, dropped) =
             cut(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
         assert_eq!((triangles.len(), dropped), (1, 1));
-        // a figure of eight on edge: its area cancels out, its halves stay
+        // A figure of eight on edge: its area cancels out, its halves stay.
         let eight = [[0.0; 3], [1.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
         assert_eq!(cut(&eight).1, 0);
-        // thin, but no thinner than its coordinates can tell
+        // Thin, but thicker than the error of its coordinates.
         assert_eq!(cut(&[[0.0; 3], [1.0, 0.0, 0.0], [0.5, 1e-12, 0.0]]).1, 0);
     }
 

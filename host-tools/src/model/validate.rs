@@ -1,13 +1,13 @@
-//! The line-by-line checks of an OBJ file, and its statements put in a form that the parser reads
-//! right.
+//! Checks an OBJ file line by line, and rewrites its statements in a form that the parser reads
+//! correctly.
 //!
-//! The parser, `tobj` 4.0, names no line in its errors. It also gives a wrong result, without an
-//! error, where faces leave out texture coordinates or normals that other faces have (it takes
-//! those of the corner before), and makes faces of polylines (`l`); it refuses comments behind
-//! numbers, continued lines, tabs in `usemtl`, one-dimensional texture coordinates, vertex colours
-//! on some vertices only, and faces that name a vertex further down. So it is given the same
-//! numbers, as written, in plain order: positions, texture coordinates, normals, then faces with
-//! absolute indices.
+//! The parser, `tobj` 4.0, names no line in its errors. Without an error it gives a wrong result if
+//! faces leave out texture coordinates or normals that other faces have (it takes those of the
+//! corner before), and it makes faces of polylines (`l`). It refuses comments behind numbers,
+//! continued lines, tabs in `usemtl`, one-dimensional texture coordinates, vertex colours on some
+//! vertices only, and faces that name a vertex further down. So it gets the same numbers, as
+//! written, in plain order: positions, texture coordinates, normals, then faces with absolute
+//! indices.
 
 use std::{collections::HashSet, fmt::Write as _, path::Path};
 
@@ -34,7 +34,7 @@ pub(super) struct Checked {
     pub corners: usize,
     /// How many of the corners have texture coordinates.
     pub textured_corners: usize,
-    /// What was passed over.
+    /// What the conversion ignores.
     pub warnings: Vec<String>,
 }
 
@@ -66,8 +66,7 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
             Ok(())
         };
         match statement.keyword() {
-            // A fourth number is a weight that only curves use; after it, or instead, come vertex
-            // colours.
+            // A fourth number is a weight, for curves only. Vertex colours follow it or replace it.
             "v" => coordinates(0, "v", 3, 3).map_err(at_line)?,
             "vt" => coordinates(1, "vt", 1, 2).map_err(at_line)?,
             "vn" => coordinates(2, "vn", 3, 3).map_err(at_line)?,
@@ -84,7 +83,7 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
             }
             "mtllib" => checked.libraries.push((statement.line, statement.name().into())),
             "usemtl" if statement.name().is_empty() => checked.warnings.push(format!(
-                "{}:{}: `usemtl` without a name is passed over",
+                "{}:{}: `usemtl` without a name is ignored",
                 path.display(),
                 statement.line
             )),
@@ -106,8 +105,8 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
     Ok(checked)
 }
 
-/// The first `dimensions` numbers of a statement as written, each checked; those beyond the `least`
-/// may be absent and are then 0.
+/// Checks and returns the first `dimensions` numbers of a statement as written. At least `least` of
+/// them must be there; the others default to 0.
 fn numbers<'a>(
     statement: &'a Statement<'_>,
     keyword: &'static str,
@@ -128,7 +127,8 @@ fn numbers<'a>(
     Ok(words)
 }
 
-/// The corners of a face as absolute indices from 1; one past the end for what a corner leaves out.
+/// Returns the corners of a face as absolute indices from 1. An index that a corner leaves out is
+/// one past the end.
 fn face(
     statement: &Statement<'_>,
     seen: Counts,
@@ -154,7 +154,8 @@ fn face(
     Ok(corners)
 }
 
-/// An absolute index from 1. A negative one counts back from the last of those `seen` so far.
+/// Returns an absolute index from 1. A negative one counts back from the last of those `seen` so
+/// far.
 fn index(
     corner: &str,
     part: &str,
@@ -230,14 +231,14 @@ mod tests {
     }
 
     #[test]
-    fn statements_become_what_the_parser_reads_right() {
-        let text = "v 0 0 0 0.5 # weight\nv 1 0 0 1 0 0\nv\t0 1 0\nvt 0.25\nvn 0 0 2\nl 1 2 3\np 1\n\
-                    usemtl\tdark red\nf 1/1 2//1 -1/-1/-1\nf 1 2 4\nv 5 5 5";
+    fn statements_become_a_form_that_the_parser_reads_correctly() {
+        let text = "v 0 0 0 0.5 # weight\nv 1 0 0 1 0 0\nv\t0 1 0\nvt 0.25\nvn 0 0 2\n\
+                    l 1 2 3\np 1\nusemtl\tdark red\nf 1/1 2//1 -1/-1/-1\nf 1 2 4\nv 5 5 5";
         let checked = check(Path::new("m.obj"), &statements(text)).unwrap();
         assert_eq!(
             checked.text,
-            "mtllib materials\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nvt 0.25 0\nvt 0 0\nvn 0 0 2\nvn 0 0 0\n\
-             usemtl dark red\nf 1/1/2 2/2/1 3/1/1\nf 1/2/2 2/2/2 4/2/2\n"
+            "mtllib materials\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nvt 0.25 0\nvt 0 0\n\
+             vn 0 0 2\nvn 0 0 0\nusemtl dark red\nf 1/1/2 2/2/1 3/1/1\nf 1/2/2 2/2/2 4/2/2\n"
         );
         assert_eq!((checked.vertices, checked.faces), (4, 2));
         assert_eq!((checked.corners, checked.textured_corners), (6, 2));

@@ -27,7 +27,7 @@ pub(super) fn largest(a: Vector) -> f64 {
     a.into_iter().fold(0.0, |m, x| m.max(x.abs()))
 }
 
-/// Scaled by its largest coordinate first, so that no square leaves the range of f64.
+/// The length. Scales by the largest coordinate first, so that no square leaves the range of f64.
 pub(super) fn length(a: Vector) -> f64 {
     let m = largest(a);
     if m == 0.0 {
@@ -37,7 +37,7 @@ pub(super) fn length(a: Vector) -> f64 {
     m * dot(b, b).sqrt()
 }
 
-/// Nothing if all coordinates are 0.
+/// The unit vector in the same direction; `None` if all coordinates are 0.
 pub(super) fn normalized(a: Vector) -> Option<Vector> {
     let m = largest(a);
     if m == 0.0 {
@@ -48,13 +48,13 @@ pub(super) fn normalized(a: Vector) -> Option<Vector> {
     Some(b.map(|x| x / l))
 }
 
-/// The angle between two vectors in radians; the arc tangent keeps small angles exact where an arc
-/// cosine would not.
+/// The angle between two vectors in radians. The arc tangent is exact for small angles; an arc
+/// cosine is not.
 pub(super) fn angle(a: Vector, b: Vector) -> f64 {
     length(cross(a, b)).atan2(dot(a, b))
 }
 
-/// The bits by which equal vectors are found; 0 and -0 are equal.
+/// A hash key that is equal for equal vectors; 0 and -0 are equal.
 pub(super) fn key<const N: usize>(a: [f64; N]) -> [u64; N] {
     a.map(|x| (x + 0.0).to_bits())
 }

@@ -1,4 +1,4 @@
-//! Corners into vertices: equal ones become one.
+//! Merges equal corners into vertices.
 
 use std::collections::HashMap;
 
@@ -11,17 +11,17 @@ use super::{
 /// The distinct vertices and the triangles that name them.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Welded {
-    /// Each vertex's place among the positions.
+    /// Each vertex's index into the positions.
     pub positions: Vec<u32>,
     /// Each vertex's unit normal, 0 if normals are left out.
     pub normals: Vec<Vector>,
     /// Each vertex's texture coordinates, 0 if they are left out.
     pub textures: Vec<[f64; 2]>,
-    /// Three vertices a triangle.
+    /// Three vertices per triangle.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// Merges the corners that agree in position and in all that `contents` keeps.
+/// Merges corners that have equal positions and equal values of all that `contents` keeps.
 pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Contents) -> Welded {
     let mut welded = Welded::default();
     let mut known = HashMap::new();

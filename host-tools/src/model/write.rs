@@ -1,4 +1,4 @@
-//! Writing the result: by name, or from a build script.
+//! Writes the result: to a path, or from a build script.
 
 use std::{
     env, fs,
@@ -12,8 +12,8 @@ use super::{Model, Options, emit, error::ModelError};
 ///
 /// # Errors
 ///
-/// If the path is a directory, its directory is missing or cannot be written to, or the disk is
-/// full. A file that was there before is then still the same.
+/// Returns an error if the path is a directory, its directory is missing or not writable, or the
+/// disk is full. An older file at the path is then unchanged.
 pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), ModelError> {
     if path.is_dir() {
         return Err(ModelError::Directory { path: path.into() });
@@ -21,7 +21,7 @@ pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), M
     let directory = path.parent().filter(|p| !p.as_os_str().is_empty());
     let write = || -> io::Result<()> {
         let mut builder = tempfile::Builder::new();
-        // As any new file, where a temporary one would be private to its owner.
+        // The mode of any new file: a temporary file is private to its owner by default.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let mut file = builder.tempfile_in(directory.unwrap_or(Path::new(".")))?;
@@ -33,11 +33,11 @@ pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), M
     write().map_err(|source| ModelError::Write { path: path.into(), source })
 }
 
-/// Converts a model from a build script: writes `<stem>.rs` into `OUT_DIR`, to be taken in by
+/// Converts a model from a build script: writes `<stem>.rs` into `OUT_DIR`, for
 /// `include!(concat!(env!("OUT_DIR"), "/<stem>.rs"))`, and returns its path.
 ///
-/// Prints what Cargo has to know to the standard output: the files on which the result depends, and
-/// the warnings. A build script that returns an error is run again by Cargo in any case.
+/// Prints instructions for Cargo to the standard output: the files on which the result depends, and
+/// the warnings. Cargo always runs a build script again that has returned an error.
 ///
 /// ```no_run
 /// use host_tools::model::{Options, convert_for_build};
@@ -50,7 +50,7 @@ pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), M
 ///
 /// # Errors
 ///
-/// Those of [`Model::load`] and [`write_atomically`], and if `OUT_DIR` is not set.
+/// Returns the errors of [`Model::load`] and [`write_atomically`], and one if `OUT_DIR` is not set.
 pub fn convert_for_build(obj: impl AsRef<Path>, options: &Options) -> Result<PathBuf, ModelError> {
     let directory = env::var_os("OUT_DIR").ok_or(ModelError::NoOutDir)?;
     let (path, instructions) = convert_into(Path::new(&directory), obj.as_ref(), options)?;
@@ -70,7 +70,7 @@ fn convert_into(
     let mut path = directory.join(obj.file_stem().unwrap_or_default());
     path.as_mut_os_string().push(".rs");
     let text = emit::source(&model);
-    // An untouched file saves the compiler a run.
+    // An unchanged file is not written, so that the compiler need not run again.
     if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
         write_atomically(&path, &text)?;
     }
@@ -113,10 +113,10 @@ mod tests {
         let error =
             write_atomically(&directory.path().join("no/a.rs"), "x").unwrap_err().to_string();
         assert!(
-            error.contains("a.rs could not be written")
+            error.contains("a.rs cannot be written")
                 && error.contains("check that its directory exists")
         );
-        // A name that the system refuses fails at the last step, when the temporary file has been
+        // A name that the system refuses fails at the last step, after the temporary file is
         // written.
         let long = directory.path().join("x".repeat(300));
         assert!(write_atomically(&long, "x").is_err());

@@ -39,7 +39,7 @@ impl Viewport {
     }
 }
 
-/// How view space is flattened; pixels are square, so one scale serves x and y.
+/// How view space is projected; pixels are square, so one scale serves x and y.
 ///
 /// `near` and `far` are distances along the view axis in world units, with `near < far`.
 #[derive(Clone, Copy, Debug, PartialEq)]

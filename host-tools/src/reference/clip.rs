@@ -1,33 +1,36 @@
 //! Clipping of polygons against the near and the far plane, in view space before the projection.
 //!
-//! Clip coordinates are linear in view coordinates, so clipping here is homogeneous clipping; what
-//! is left has w > 0 and can be divided. The four sides of the screen need no clipping: f64 holds
-//! the coordinates of any triangle, and the loop over pixels is confined to the picture.
+//! Clip coordinates are linear in view coordinates, so clipping here is homogeneous clipping: the
+//! rest has w > 0 and can be divided. The four sides of the screen need no clipping: f64 holds the
+//! coordinates of any triangle, and the loop over pixels is confined to the picture.
 
 /// A corner of a polygon on its way from view space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct ViewVertex {
+pub(super) struct ViewVertex<const N: usize> {
     /// Position in view space; visible points have a negative z.
     pub position: [f64; 3],
-    /// Light level, linear along straight lines in view space.
-    pub level: f64,
+    /// Linear along straight lines in view space.
+    pub varyings: [f64; N],
 }
 
 /// The part of a convex polygon between the distances `near` and `far` along the view axis, in the
-/// same winding. It has fewer than three vertices when no area is left, and at most two more than
-/// before.
+/// same winding. It has fewer than three vertices if no area is left, and at most two more than
+/// the polygon.
 ///
 /// Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974: one plane after the
 /// other.
-pub(super) fn clip(polygon: &[ViewVertex], [near, far]: [f64; 2]) -> Vec<ViewVertex> {
+pub(super) fn clip<const N: usize>(
+    polygon: &[ViewVertex<N>],
+    [near, far]: [f64; 2],
+) -> Vec<ViewVertex<N>> {
     let beyond_near = clip_at(polygon, -near, -1.0);
     clip_at(&beyond_near, -far, 1.0)
 }
 
 /// The part of a convex polygon on one side of the plane `z = plane`: towards +z for `side = 1`,
 /// towards -z for -1. The plane itself belongs to the part that is kept.
-fn clip_at(polygon: &[ViewVertex], plane: f64, side: f64) -> Vec<ViewVertex> {
-    let inside_by = |vertex: &ViewVertex| side * (vertex.position[2] - plane);
+fn clip_at<const N: usize>(polygon: &[ViewVertex<N>], plane: f64, side: f64) -> Vec<ViewVertex<N>> {
+    let inside_by = |vertex: &ViewVertex<N>| side * (vertex.position[2] - plane);
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (i, from) in polygon.iter().enumerate() {
         let to = &polygon[(i + 1) % polygon.len()];
@@ -47,15 +50,20 @@ fn clip_at(polygon: &[ViewVertex], plane: f64, side: f64) -> Vec<ViewVertex> {
     kept
 }
 
-/// The point at the fraction `t` of the way from `inner` to `outer`. Its z is the plane's own and
-/// not a rounded blend: a near plane much closer than the rounding of the two ends would otherwise
-/// yield points behind the eye.
-fn crossing(inner: &ViewVertex, outer: &ViewVertex, t: f64, plane: f64) -> ViewVertex {
+/// The point at the fraction `t` of the way from `inner` to `outer`. Its z is the plane's own, not
+/// a rounded blend: with a near plane much closer than the rounding of the two ends, a blend lies
+/// behind the eye.
+fn crossing<const N: usize>(
+    inner: &ViewVertex<N>,
+    outer: &ViewVertex<N>,
+    t: f64,
+    plane: f64,
+) -> ViewVertex<N> {
     let blend = |a: f64, b: f64| a + t * (b - a);
     let ([inner_x, inner_y, _], [outer_x, outer_y, _]) = (inner.position, outer.position);
     ViewVertex {
         position: [blend(inner_x, outer_x), blend(inner_y, outer_y), plane],
-        level: blend(inner.level, outer.level),
+        varyings: std::array::from_fn(|i| blend(inner.varyings[i], outer.varyings[i])),
     }
 }
 
@@ -64,18 +72,18 @@ mod tests {
     use super::super::random::Random;
     use super::*;
 
-    fn vertex(x: f64, y: f64, z: f64, level: f64) -> ViewVertex {
-        ViewVertex { position: [x, y, z], level }
+    fn vertex(x: f64, y: f64, z: f64, varying: f64) -> ViewVertex<2> {
+        ViewVertex { position: [x, y, z], varyings: [varying, -2.0 * varying] }
     }
 
     /// A right triangle in the plane x = 3 with legs of 4 along -z (distances 1 to 5) and 4 along
-    /// y; level = distance.
-    fn triangle() -> [ViewVertex; 3] {
+    /// y; the first varying is the distance, the second -2 times that.
+    fn triangle() -> [ViewVertex<2>; 3] {
         [vertex(3.0, 0.0, -1.0, 1.0), vertex(3.0, 0.0, -5.0, 5.0), vertex(3.0, 4.0, -1.0, 1.0)]
     }
 
     /// Area in the (z, y) plane, positive in the winding of `triangle`.
-    fn area(polygon: &[ViewVertex]) -> f64 {
+    fn area(polygon: &[ViewVertex<2>]) -> f64 {
         let next = polygon.iter().cycle().skip(1);
         let doubled: f64 = polygon
             .iter()
@@ -95,11 +103,11 @@ mod tests {
     fn a_polygon_outside_vanishes() {
         assert!(clip(&triangle(), [5.5, 9.0]).is_empty());
         assert!(clip(&triangle(), [0.1, 0.5]).is_empty());
-        assert!(clip(&[], [1.0, 2.0]).is_empty());
+        assert!(clip::<2>(&[], [1.0, 2.0]).is_empty());
     }
 
     #[test]
-    fn what_is_left_has_the_area_of_the_closed_form() {
+    fn the_rest_has_the_area_of_the_closed_form() {
         // The triangle is 5 - d high at the distance d, so the part between two distances is a
         // trapezium.
         for [near, far] in [[2.0, 9.0], [0.5, 3.0], [2.0, 3.0], [1.25, 4.75]] {
@@ -116,10 +124,9 @@ mod tests {
                     area(&clipped)
                 );
                 for corner in clipped {
-                    assert!(
-                        (corner.level + corner.position[2]).abs() < 1e-13,
-                        "level is blended as the distance is"
-                    );
+                    let distance = -corner.position[2];
+                    assert!((corner.varyings[0] - distance).abs() < 1e-13);
+                    assert!((corner.varyings[1] + 2.0 * distance).abs() < 1e-13);
                     assert_eq!(corner.position[0], 3.0);
                 }
             }

@@ -2,7 +2,7 @@
 //!
 //! Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988, gives the edge
 //! function; the Direct3D 11.3 functional specification, section 3.4.2.1, the rule for centres on
-//! an edge: they belong to the triangle when the edge is a left edge, or a top edge, which is
+//! an edge: they belong to the triangle if the edge is a left edge, or a top edge, which is
 //! horizontal and above the rest.
 //!
 //! # Exactness
@@ -10,10 +10,10 @@
 //! Let the coordinates be multiples of 1/256 pixel of magnitude up to 4,096 pixels. A coordinate
 //! difference is then a multiple of 1/256 below 2^13 + 1, which needs 22 bits; a product of two
 //! needs 44 and the difference of two products 45, less than the 53 bits of an f64. So every
-//! operation of an edge function is exact and so is the verdict: any disagreement with another
-//! rasterizer on the same coordinates is an error of one of them.
+//! operation of an edge function is exact, and so is coverage: if another rasterizer differs on the
+//! same coordinates, one of the two is wrong.
 //!
-//! Coordinates of any other kind are rounded, but two triangles on a shared edge still round alike:
+//! Other coordinates are rounded, but two triangles on a shared edge still round in the same way:
 //! see [`Edge`].
 
 use std::ops::Range;
@@ -35,8 +35,8 @@ impl Region {
 /// The edge function of one side of a triangle: twice the signed area spanned by the side and a
 /// point.
 ///
-/// The side is held from its lexicographically smaller end to the larger one, whichever way the
-/// triangle runs along it, and `inside` carries the sign. Two triangles on both sides of a shared
+/// The side is stored from its lexicographically smaller end to the larger one, in both directions
+/// of the triangle along it, and `inside` has the sign. Two triangles on both sides of a shared
 /// edge therefore compute the same number with opposite signs, rounded or not, and exactly one of
 /// them covers each centre.
 #[derive(Clone, Copy, Debug)]
@@ -80,8 +80,8 @@ pub(super) fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
 /// covers, row by row. The barycentric weights belong to the corners in their order and sum to 1 up
 /// to rounding.
 ///
-/// Either winding will do. A triangle without area, or with a coordinate that is not finite, covers
-/// nothing.
+/// The winding does not matter. A triangle without area, or with a coordinate that is not finite,
+/// covers nothing.
 pub(super) fn for_each_covered(
     corners: [[f64; 2]; 3],
     region: &Region,
@@ -109,8 +109,8 @@ pub(super) fn for_each_covered(
             .take_while(|(_, values)| covers(values));
         for (column, values) in span {
             // The area again, but with the roundings of the values, so that the weights sum to 1.
-            // It is above 0, even on a corner: the three sides add up to nothing, so
-            // not all of them are left or top edges.
+            // It is above 0, even on a corner: the three sides as vectors sum to 0, so not all of
+            // them are left or top edges.
             let sum = values[0] + values[1] + values[2];
             visit(column, row, values.map(|value| value / sum));
         }
@@ -318,7 +318,7 @@ mod tests {
                 let halves = [[a, b, c], [b, a, d]];
                 let whole = counts(&halves);
                 assert!(whole.iter().all(|&times| times <= 1), "overlap along {a:?} {b:?}");
-                // Cut along the other diagonal there is no edge where the gap would be.
+                // Cut along the other diagonal, there is no edge at the place of the gap.
                 let other_cut = counts(&[[c, a, d], [d, b, c]]);
                 assert_eq!(whole, other_cut, "gap along {a:?} {b:?} or {c:?} {d:?}");
                 crossings += usize::from(halves.iter().all(|&half| !covered(half).is_empty()));

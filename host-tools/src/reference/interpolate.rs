@@ -2,18 +2,23 @@
 //!
 //! Vulkan specification, "Basic polygon rasterization" (OpenGL 4.6 core profile, section 14.6.1, is
 //! the same): depth is linear in screen space; everything else is linear on the surface in space,
-//! which the division by w bends in the picture.
+//! so the division by w makes it hyperbolic in the picture.
 
 /// The value at the point with the given barycentric weights, linear between the three vertices.
 ///
-/// Written from the first vertex on, so that three equal values give exactly that value wherever
-/// the point lies.
+/// The sum starts from the first vertex, so that three equal values give exactly that value at
+/// every point.
 pub(super) const fn linear(weights: [f64; 3], values: [f64; 3]) -> f64 {
     values[0] + weights[1] * (values[1] - values[0]) + weights[2] * (values[2] - values[0])
 }
 
+/// [`linear`] for each varying of three vertices.
+pub(super) fn linear_each<const N: usize>(weights: [f64; 3], varyings: [[f64; N]; 3]) -> [f64; N] {
+    std::array::from_fn(|i| linear(weights, varyings.map(|corner| corner[i])))
+}
+
 /// The barycentric weights on the surface in space of the point that has the barycentric `weights`
-/// on the screen, from the reciprocal of each vertex' w.
+/// on the screen, from the reciprocal of each vertex's w.
 ///
 /// A value f is hyperbolic on the screen: f / w and 1 / w are linear there, so f = Σ(bᵢ fᵢ / wᵢ) /
 /// Σ(bᵢ / wᵢ).
@@ -34,6 +39,8 @@ mod tests {
         assert_eq!(linear([0.0, 1.0, 0.0], values), 7.0);
         assert_eq!(linear([0.0, 0.0, 1.0], values), -5.0);
         assert_eq!(linear([0.5, 0.25, 0.25], values), 2.0);
+        let varyings = [[3.0, 0.0], [7.0, 1.0], [-5.0, 2.0]];
+        assert_eq!(linear_each([0.5, 0.25, 0.25], varyings), [2.0, 0.75]);
     }
 
     #[test]

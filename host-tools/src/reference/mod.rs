@@ -1,20 +1,24 @@
-//! An f64 reference rasterizer that judges the fixed-point one: the definitions of the graphics
-//! specifications, written down as directly as they can be evaluated.
+//! An f64 reference rasterizer that judges the fixed-point one. It evaluates the definitions of the
+//! graphics specifications as directly as possible.
 //!
-//! It shares no code and no table with the rasterizer it judges, and it has no dependency but
-//! `std`. Two routes end in the same [`Picture`]:
+//! It shares no code and no table with the rasterizer it judges, and it depends on `std` alone. Two
+//! routes draw a [`Picture`]:
 //!
 //! * [`draw_scene`], **end to end**: a world-space [`Mesh`] seen by a [`Camera`]. View transform,
 //!   clipping against the near and the far plane, projection, culling, coverage,
-//!   perspective-correct light. It measures what fixed-point arithmetic and every approximation
+//!   perspective-correct varyings. It measures what fixed-point arithmetic and every approximation
 //!   cost in the final picture.
 //! * [`draw_screen`], **arithmetic**: triangles that are already projected, culled, clipped and
 //!   snapped to a sub-pixel grid. Coverage is then exact in f64, so two correct rasterizers agree
-//!   on every pixel and the tolerance is zero.
+//!   on every pixel: the tolerance is zero.
 //!
-//! A [`Picture`] keeps *every* fragment of a pixel, not only the visible one, so that a
-//! disagreement can be told apart: a wrong edge, or two layers whose depths lie closer together
-//! than the depth buffer resolves.
+//! Both interpolate any number of varyings and leave the colour to a closure, which gets a
+//! [`Sample`] and may also discard the fragment. So the reference judges any shader whose
+//! definition is written as closures.
+//!
+//! A [`Picture`] keeps *every* fragment of a pixel, not only the visible one. This separates two
+//! causes of a difference: a wrong edge, and two layers whose depths lie closer together than the
+//! depth buffer resolves.
 //!
 //! # Conventions
 //!
@@ -26,14 +30,14 @@
 //! | front face | counter-clockwise for the viewer, hence negative area in screen coordinates (y points down) |
 //! | depth | `near / w` (orthographic: see [`ScreenPoint`]): 1 at the near plane, less beyond; linear in screen space |
 //! | coverage | the pixel centre decides; a centre exactly on an edge follows the top-left rule |
-//! | color | real-valued red, green, blue in 0..=255, never quantised |
+//! | colour | real-valued red, green, blue in 0..=255, never quantised |
 //!
 //! # The chain
 //!
 //! | step | file | source |
 //! |---|---|---|
 //! | view transform, projection | `camera.rs` | similar triangles |
-//! | light level of a normal | `shade.rs` | Lambert's cosine law |
+//! | light level of a normal | `light.rs` | Lambert's cosine law |
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
@@ -44,19 +48,21 @@ mod camera;
 mod clip;
 mod coverage;
 mod interpolate;
+mod light;
 mod mesh;
 mod picture;
 #[cfg(test)]
 mod random;
 #[cfg(test)]
 mod ray;
+mod sample;
 mod scene;
 mod screen;
-mod shade;
 
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
-pub use mesh::{Culling, Mesh};
+pub use light::Light;
+pub use mesh::{Corner, Culling, Mesh};
 pub use picture::{Fragment, Picture};
+pub use sample::Sample;
 pub use scene::draw_scene;
 pub use screen::{ScreenTriangle, ScreenVertex, draw_screen};
-pub use shade::{Light, Shading};

@@ -1,8 +1,9 @@
 //! The picture: for each pixel, all fragments that cover it.
 //!
 //! Carpenter, "The A-buffer, an antialiased hidden surface method", SIGGRAPH 1984, keeps the
-//! surfaces of a pixel in a list for the same reason: what is in front can be decided, or doubted,
-//! later.
+//! surfaces of a pixel in a list for the same reason: visibility can be decided later.
+
+use super::sample::Sample;
 
 /// What one triangle contributes to one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -11,9 +12,8 @@ pub struct Fragment {
     pub depth: f64,
     /// Red, green, blue at the pixel centre, in 0..=255 and not quantised.
     pub color: [f64; 3],
-    /// Number of the triangle in the list that was drawn; pieces of a clipped triangle keep its
-    /// number.
-    pub triangle: u32,
+    /// Number of the triangle; pieces of a clipped triangle share its number.
+    pub triangle: usize,
 }
 
 /// A drawn picture of `width` by `height` pixels, with every layer of every pixel.
@@ -40,11 +40,11 @@ impl Picture {
         self.height
     }
 
-    /// The fragments of a pixel in the order in which their triangles were drawn.
+    /// The fragments of a pixel in the order in which their triangles are drawn.
     ///
     /// # Panics
     ///
-    /// Outside the picture.
+    /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn fragments(&self, x: usize, y: usize) -> &[Fragment] {
         assert!(
@@ -57,12 +57,12 @@ impl Picture {
         &self.fragments[self.starts[pixel]..self.starts[pixel + 1]]
     }
 
-    /// The visible fragment of a pixel: the one of greatest depth, the first drawn of several
-    /// equals, as a depth test for "greater" leaves it; `None` where only the background shows.
+    /// The visible fragment of a pixel: the one of greatest depth. Of several equals it is the
+    /// first drawn, which a depth test for "greater" keeps. `None` where only the background shows.
     ///
     /// # Panics
     ///
-    /// Outside the picture.
+    /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn nearest(&self, x: usize, y: usize) -> Option<&Fragment> {
         self.fragments(x, y)
@@ -74,7 +74,7 @@ impl Picture {
     ///
     /// # Panics
     ///
-    /// Outside the picture.
+    /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn layers(&self, x: usize, y: usize) -> usize {
         self.fragments(x, y).len()
@@ -95,8 +95,21 @@ impl Canvas {
         Self { width, height, fragments: Vec::new() }
     }
 
+    /// Shades a sample and adds the fragment on top of what the pixel holds, unless it is
+    /// discarded.
+    pub(super) fn shade<const N: usize>(
+        &mut self,
+        sample: Sample<N>,
+        shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
+    ) {
+        let Sample { pixel: [x, y], triangle, depth, .. } = sample;
+        if let Some(color) = shade(sample) {
+            self.add(x, y, Fragment { depth, color, triangle });
+        }
+    }
+
     /// Adds a fragment on top of what the pixel holds.
-    pub(super) fn add(&mut self, x: usize, y: usize, fragment: Fragment) {
+    fn add(&mut self, x: usize, y: usize, fragment: Fragment) {
         self.fragments.push((y * self.width + x, fragment));
     }
 
@@ -124,8 +137,8 @@ impl Canvas {
 mod tests {
     use super::*;
 
-    fn fragment(depth: f64, triangle: u32) -> Fragment {
-        Fragment { depth, color: [f64::from(triangle), 2.0, 3.0], triangle }
+    fn fragment(depth: f64, triangle: usize) -> Fragment {
+        Fragment { depth, color: [triangle as f64, 2.0, 3.0], triangle }
     }
 
     #[test]

@@ -1,5 +1,5 @@
-//! The judge of the judge, for tests: rays through the pixel centres, with no step in common with
-//! the drawing.
+//! Rays through the pixel centres, which judge the reference in tests. They share no step with the
+//! drawing.
 
 use super::camera::{Camera, Projection};
 
@@ -19,7 +19,7 @@ pub(super) struct Hit {
     pub distance: f64,
     /// Barycentric, in space; none is negative inside the triangle.
     pub weights: [f64; 3],
-    /// Positive when the ray meets the front, 0 when it grazes the plane.
+    /// Positive if the ray meets the front, 0 if it grazes the plane.
     pub determinant: f64,
 }
 

@@ -3,46 +3,46 @@
 use super::camera::Camera;
 use super::clip::{ViewVertex, clip};
 use super::coverage::{Region, doubled_area, for_each_covered};
-use super::interpolate::{in_perspective, linear};
-use super::mesh::{Culling, Mesh};
-use super::picture::{Canvas, Fragment, Picture};
-use super::shade::{Light, Shading};
+use super::interpolate::{in_perspective, linear, linear_each};
+use super::mesh::{Corner, Culling, Mesh};
+use super::picture::{Canvas, Picture};
+use super::sample::Sample;
 
 /// Draws a mesh as `camera` sees it into a picture of `size` (width, height) pixels.
+///
+/// `varyings` returns what is interpolated from a corner: perspective-correct, that is, linear on
+/// the surface in space. `shade` returns the colour of a sample, or `None` to discard it.
 ///
 /// Only pixels inside the camera's viewport are drawn. A fragment's depth is that of
 /// [`ScreenPoint`](super::ScreenPoint), its triangle the index into [`Mesh::triangles`].
 ///
-/// Rounding moves a depth, on its scale from 0 to 1, by some 1e-12, and a light level, which is
-/// divided by it, by some 1e-12 times `w / near`: far below one step of a 16-bit depth or an 8-bit
-/// color. A depth may exceed 1 by a rounding.
+/// Rounding moves a depth, on its scale from 0 to 1, by some 1e-12, and a varying of that scale,
+/// which is divided by the depth, by some 1e-12 times `w / near`: far below one step of a 16-bit
+/// depth or an 8-bit colour. A depth may exceed 1 by a rounding.
 ///
 /// # Panics
 ///
-/// When a triangle refers to a vertex, normal or color that the mesh does not have, and for more
-/// than 2^32 triangles.
+/// Panics if a triangle refers to a vertex that the mesh does not have.
 #[must_use]
-pub fn draw_scene(
+pub fn draw_scene<const N: usize>(
     camera: &Camera,
-    light: &Light,
     mesh: &Mesh,
-    shading: Shading,
     culling: Culling,
     size: (usize, usize),
+    varyings: impl Fn(Corner) -> [f64; N],
+    shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
 ) -> Picture {
     let [columns, rows] = camera.viewport.pixels(size);
     let region = Region { columns, rows };
-    let positions: Vec<_> =
-        mesh.positions.iter().map(|&position| camera.to_view(position)).collect();
     let mut canvas = Canvas::new(size);
-    for (number, &vertices) in mesh.triangles.iter().enumerate() {
-        let levels = match shading {
-            Shading::Flat => [light.level(mesh.face_normals[number]); 3],
-            Shading::Gouraud => vertices.map(|vertex| light.level(mesh.vertex_normals[vertex])),
-            Shading::Unlit => [1.0; 3],
-        };
-        let corners =
-            [0, 1, 2].map(|i| ViewVertex { position: positions[vertices[i]], level: levels[i] });
+    for (triangle, vertices) in mesh.triangles.iter().enumerate() {
+        let corners = vertices.map(|vertex| {
+            let position = mesh.positions[vertex];
+            ViewVertex {
+                position: camera.to_view(position),
+                varyings: varyings(Corner { triangle, vertex, position }),
+            }
+        });
         let polygon = clip(&corners, camera.projection.depth_range());
         let points: Vec<_> =
             polygon.iter().map(|corner| camera.to_screen(corner.position)).collect();
@@ -50,16 +50,18 @@ pub fn draw_scene(
         if culling == Culling::Back && !is_front(&outline) {
             continue;
         }
-        let triangle = u32::try_from(number).expect("no more than 2^32 triangles");
         for fan in (2..polygon.len()).map(|i| [0, i - 1, i]) {
             let depths = fan.map(|i| points[i].depth);
             let inverse_ws = fan.map(|i| points[i].inverse_w);
-            let levels = fan.map(|i| polygon[i].level);
+            let varyings = fan.map(|i| polygon[i].varyings);
             for_each_covered(fan.map(|i| outline[i]), &region, |x, y, weights| {
-                let depth = linear(weights, depths);
-                let level = linear(in_perspective(weights, inverse_ws), levels);
-                let color = mesh.colors[number].map(|channel| channel * level);
-                canvas.add(x, y, Fragment { depth, color, triangle });
+                let sample = Sample {
+                    pixel: [x, y],
+                    triangle,
+                    depth: linear(weights, depths),
+                    varyings: linear_each(in_perspective(weights, inverse_ws), varyings),
+                };
+                canvas.shade(sample, &shade);
             });
         }
     }
@@ -77,6 +79,7 @@ fn is_front(outline: &[[f64; 2]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::camera::{Projection, Viewport};
+    use super::super::light::Light;
     use super::super::random::Random;
     use super::super::ray::{Hit, Ray, add, product, unit};
     use super::*;
@@ -86,8 +89,6 @@ mod tests {
     const PERSPECTIVE: Projection =
         Projection::Perspective { focal_length_px: 30.0, near: 0.5, far: 40.0 };
     const DARK_RED: [f64; 3] = [120.0, 40.0, 20.0];
-    /// Light from +z; a normal (x, y, z) of unit length has the level 0.25 + 0.5 z.
-    const LIGHT: Light = Light { toward: [0.0, 0.0, 1.0], ambient: 0.25, diffuse: 0.5 };
 
     /// At the origin, looking along -z.
     fn camera(projection: Projection) -> Camera {
@@ -100,19 +101,11 @@ mod tests {
         }
     }
 
-    /// A mesh without shared vertices, all of one color, with the levels of `LIGHT` given for each
-    /// corner.
-    fn mesh(triangles: &[[[f64; 3]; 3]], levels: &[[f64; 3]]) -> Mesh {
-        let normal = |level: f64| {
-            let z = (level - 0.25) / 0.5;
-            [(1.0 - z * z).sqrt(), 0.0, z]
-        };
+    /// A mesh without shared vertices: corner i of triangle n is vertex 3 n + i.
+    fn mesh(triangles: &[[[f64; 3]; 3]]) -> Mesh {
         Mesh {
             positions: triangles.concat(),
-            vertex_normals: levels.concat().into_iter().map(normal).collect(),
-            face_normals: levels.iter().map(|corners| normal(corners[0])).collect(),
             triangles: (0..triangles.len()).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect(),
-            colors: vec![DARK_RED; triangles.len()],
         }
     }
 
@@ -120,8 +113,9 @@ mod tests {
         [[a, b, c], [c, d, a]]
     }
 
-    fn draw(camera: &Camera, mesh: &Mesh, shading: Shading, culling: Culling) -> Picture {
-        draw_scene(camera, &LIGHT, mesh, shading, culling, SIZE)
+    /// In dark red, unlit.
+    fn draw(camera: &Camera, mesh: &Mesh, culling: Culling) -> Picture {
+        draw_scene(camera, mesh, culling, SIZE, |_| [], |_| Some(DARK_RED))
     }
 
     fn pixels() -> impl Iterator<Item = (usize, usize)> {
@@ -129,15 +123,19 @@ mod tests {
     }
 
     /// Draws random triangles on all sides of random cameras and compares each pixel and triangle
-    /// with its ray. Returns the number of fragments, and of triangles that cross the near
-    /// plane and that cross the far plane.
-    fn compare_with_rays(projection: Projection, culling: Culling, seed: u64) -> [usize; 3] {
+    /// with its ray. The `N` varyings, three at most, are the colour. Returns the number of
+    /// fragments, and of triangles that cross the near plane and that cross the far plane.
+    fn compare_with_rays<const N: usize>(
+        projection: Projection,
+        culling: Culling,
+        seed: u64,
+    ) -> [usize; 3] {
         // An edge or plane may pass a centre at less than the rounding, where both answers are
         // right; and a surface seen nearly edge-on multiplies the rounding of its distance.
         const MARGIN: f64 = 1e-9;
         // Coordinates around 10 round at 2e-15, and a thin triangle multiplies that by its length
-        // over its width. A level comes from a division by the depth and inherits its error
-        // in proportion.
+        // over its width. A varying comes from a division by the depth and inherits its error in
+        // proportion.
         const TOLERANCE: f64 = 1e-11;
         let mut random = Random(seed);
         let mut vector = |reach: f64| [(); 3].map(|()| random.real(-reach, reach));
@@ -152,8 +150,21 @@ mod tests {
             };
             let triangles: Vec<_> =
                 (0..60).map(|_| [vector(12.0), vector(12.0), vector(12.0)]).collect();
-            let levels: Vec<_> = (0..60).map(|_| vector(0.25).map(|level| 0.5 + level)).collect();
-            let picture = draw(&camera, &mesh(&triangles, &levels), Shading::Gouraud, culling);
+            // Each varying at the three corners of each triangle.
+            let varyings: Vec<_> =
+                (0..60).map(|_| [(); N].map(|()| vector(0.25).map(|value| 0.5 + value))).collect();
+            let picture = draw_scene(
+                &camera,
+                &mesh(&triangles),
+                culling,
+                SIZE,
+                |Corner { triangle, vertex, position }| {
+                    let corner = vertex - 3 * triangle;
+                    assert_eq!(position, triangles[triangle][corner]);
+                    varyings[triangle].map(|values| values[corner])
+                },
+                |Sample { varyings, .. }| Some([0, 1, 2].map(|i| *varyings.get(i).unwrap_or(&0.5))),
+            );
             let forward = unit(add(camera.target, camera.eye, -1.0));
             for triangle in &triangles {
                 let distances =
@@ -166,7 +177,7 @@ mod tests {
             }
             for (x, y) in pixels() {
                 let mut drawn = picture.fragments(x, y).iter().peekable();
-                for (number, (triangle, levels)) in (0..).zip(triangles.iter().zip(&levels)) {
+                for (number, (triangle, varyings)) in (0..).zip(triangles.iter().zip(&varyings)) {
                     let Hit { distance, weights, determinant } =
                         Ray::through(&camera, x, y).hit(*triangle);
                     let fragment = drawn.next_if(|fragment| fragment.triangle == number);
@@ -192,9 +203,8 @@ mod tests {
                         (fragment.depth - depth).abs() < TOLERANCE,
                         "{fragment:?} instead of {depth}"
                     );
-                    let level = product(weights, *levels);
-                    for (actual, channel) in fragment.color.into_iter().zip(DARK_RED) {
-                        let difference = (actual / channel - level).abs();
+                    for (actual, values) in fragment.color.into_iter().zip(varyings) {
+                        let difference = (actual - product(weights, *values)).abs();
                         assert!(
                             difference < TOLERANCE * w_over_near,
                             "{difference} at ({x}, {y}) in {triangle:?}"
@@ -212,7 +222,7 @@ mod tests {
         for (near, far) in [(0.5, 15.0), (4.0, 6.0), (1e-6, 1e3)] {
             let projection = Projection::Perspective { focal_length_px: 30.0, near, far };
             let [fragments, crossing_near, crossing_far] =
-                compare_with_rays(projection, Culling::None, 8);
+                compare_with_rays::<1>(projection, Culling::None, 8);
             assert!(fragments > 10_000, "{fragments}");
             assert!(crossing_near > 200, "{crossing_near}");
             assert!(crossing_far > 50 || far > 100.0, "{crossing_far}");
@@ -223,9 +233,22 @@ mod tests {
     fn every_orthographic_fragment_is_where_its_ray_hits() {
         let projection = Projection::Orthographic { pixels_per_unit: 3.0, near: -2.0, far: 8.0 };
         let [fragments, crossing_near, crossing_far] =
-            compare_with_rays(projection, Culling::None, 9);
+            compare_with_rays::<1>(projection, Culling::None, 9);
         assert!(fragments > 10_000, "{fragments}");
         assert!(crossing_near > 200 && crossing_far > 200, "{crossing_near} {crossing_far}");
+    }
+
+    #[test]
+    fn any_number_of_varyings_is_what_the_ray_finds() {
+        let projection = Projection::Perspective { focal_length_px: 30.0, near: 0.5, far: 15.0 };
+        for [fragments, crossing_near, crossing_far] in [
+            compare_with_rays::<0>(projection, Culling::None, 15),
+            compare_with_rays::<2>(projection, Culling::None, 16),
+            compare_with_rays::<3>(projection, Culling::None, 17),
+        ] {
+            assert!(fragments > 10_000, "{fragments}");
+            assert!(crossing_near > 200 && crossing_far > 50, "{crossing_near} {crossing_far}");
+        }
     }
 
     #[test]
@@ -233,7 +256,8 @@ mod tests {
         for projection in
             [PERSPECTIVE, Projection::Orthographic { pixels_per_unit: 3.0, near: -2.0, far: 8.0 }]
         {
-            let [fragments, crossing_near, _] = compare_with_rays(projection, Culling::Back, 10);
+            let [fragments, crossing_near, _] =
+                compare_with_rays::<1>(projection, Culling::Back, 10);
             assert!(fragments > 5_000 && crossing_near > 200, "{fragments} {crossing_near}");
         }
     }
@@ -242,9 +266,9 @@ mod tests {
     fn a_counter_clockwise_triangle_shows_its_front() {
         let front = [[-1.0, -1.0, -3.0], [1.0, -1.0, -3.0], [0.0, 1.0, -3.0]];
         let back = [front[2], front[1], front[0]];
-        let both = mesh(&[front, back], &[[0.5; 3]; 2]);
-        let numbers = |culling| -> Vec<u32> {
-            let picture = draw(&camera(PERSPECTIVE), &both, Shading::Flat, culling);
+        let both = mesh(&[front, back]);
+        let numbers = |culling| -> Vec<usize> {
+            let picture = draw(&camera(PERSPECTIVE), &both, culling);
             picture.fragments(24, 16).iter().map(|fragment| fragment.triangle).collect()
         };
         assert_eq!(numbers(Culling::Back), [0]);
@@ -266,8 +290,7 @@ mod tests {
                 projection: Projection::Perspective { focal_length_px: 30.0, near, far },
                 ..camera
             };
-            let picture =
-                draw(&camera, &mesh(&ground, &[[0.5; 3]; 2]), Shading::Flat, Culling::Back);
+            let picture = draw(&camera, &mesh(&ground), Culling::Back);
             for (x, y) in pixels() {
                 let distance = 45.0 / (y as f64 + 0.5 - 16.0);
                 let is_visible = (near..=far).contains(&distance);
@@ -275,7 +298,7 @@ mod tests {
                 if let Some(fragment) = picture.nearest(x, y) {
                     // A dozen roundings of values up to 1.
                     assert!((fragment.depth - near / distance).abs() < 1e-14);
-                    assert_eq!(fragment.color, DARK_RED.map(|channel| channel * 0.5));
+                    assert_eq!(fragment.color, DARK_RED);
                 }
             }
         }
@@ -289,8 +312,14 @@ mod tests {
         let wall =
             quad([[1.0, -9.0, -1.0], [1.0, -9.0, -33.0], [1.0, 9.0, -33.0], [1.0, 9.0, -1.0]]);
         let levels = [[0.75, 0.25, 0.25], [0.25, 0.75, 0.75]];
-        let picture =
-            draw(&camera(PERSPECTIVE), &mesh(&wall, &levels), Shading::Gouraud, Culling::None);
+        let picture = draw_scene(
+            &camera(PERSPECTIVE),
+            &mesh(&wall),
+            Culling::None,
+            SIZE,
+            |corner| [levels[corner.triangle][corner.vertex - 3 * corner.triangle]],
+            |Sample { varyings: [level], .. }| Some(DARK_RED.map(|channel| channel * level)),
+        );
         let mut fragments = 0;
         for (x, y) in pixels() {
             let distance = 30.0 / (x as f64 + 0.5 - 24.0);
@@ -315,7 +344,7 @@ mod tests {
         let faces =
             [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let walls = faces.map(|face| quad(face.map(corner))).concat();
-        let walls = mesh(&walls, &vec![[0.5; 3]; walls.len()]);
+        let walls = mesh(&walls);
         let mut random = Random(11);
         for near in [0.1, 1e-3, 1e-9] {
             let projection = Projection::Perspective { focal_length_px: 20.0, near, far: 10.0 };
@@ -327,7 +356,7 @@ mod tests {
                     up: vector(1.0),
                     ..camera(projection)
                 };
-                let picture = draw(&camera, &walls, Shading::Flat, Culling::None);
+                let picture = draw(&camera, &walls, Culling::None);
                 for (x, y) in pixels() {
                     // A wall nearer than the near plane is cut open there: the ray decides.
                     let Ray { origin, direction } = Ray::through(&camera, x, y);
@@ -340,7 +369,7 @@ mod tests {
                         "({x}, {y}) {camera:?}"
                     );
                 }
-                let from_inside = draw(&camera, &walls, Shading::Flat, Culling::Back);
+                let from_inside = draw(&camera, &walls, Culling::Back);
                 assert!(
                     pixels().all(|(x, y)| from_inside.layers(x, y) == 0),
                     "the fronts are outside"
@@ -350,28 +379,69 @@ mod tests {
     }
 
     #[test]
-    fn shading_takes_the_level_of_the_face_of_the_vertices_or_one() {
-        let triangle = [[-9.0, -9.0, -3.0], [9.0, -9.0, -3.0], [0.0, 9.0, -3.0]];
-        let mut mesh = mesh(&[triangle], &[[0.75; 3]]);
-        mesh.face_normals = vec![[0.0, 0.0, -1.0]];
-        let color = |shading| {
-            let picture = draw(&camera(PERSPECTIVE), &mesh, shading, Culling::Back);
-            picture.nearest(24, 16).map(|fragment| fragment.color)
+    fn flat_gouraud_and_unlit_are_closures_over_the_light() {
+        let light = Light { toward: [0.0, 0.0, 1.0], ambient: 0.25, diffuse: 0.5 };
+        let wall = mesh(&[[[-9.0, -9.0, -3.0], [9.0, -9.0, -3.0], [0.0, 9.0, -3.0]]]);
+        let (face_normals, vertex_normals) = ([[0.0, 0.0, -1.0]], [[0.0, 0.0, 1.0]; 3]);
+        let lit = |Sample { varyings: [level], .. }: Sample<1>| {
+            Some(DARK_RED.map(|channel| channel * level))
         };
-        assert_eq!(color(Shading::Flat), Some(DARK_RED.map(|channel| channel * 0.25)));
-        assert_eq!(color(Shading::Gouraud), Some(DARK_RED.map(|channel| channel * 0.75)));
-        assert_eq!(color(Shading::Unlit), Some(DARK_RED));
+        let camera = camera(PERSPECTIVE);
+        let pictures = [
+            draw_scene(
+                &camera,
+                &wall,
+                Culling::Back,
+                SIZE,
+                |corner| [light.level(face_normals[corner.triangle])],
+                lit,
+            ),
+            draw_scene(
+                &camera,
+                &wall,
+                Culling::Back,
+                SIZE,
+                |corner| [light.level(vertex_normals[corner.vertex])],
+                lit,
+            ),
+            draw(&camera, &wall, Culling::Back),
+        ];
+        for (picture, level) in pictures.iter().zip([0.25, 0.75, 1.0]) {
+            let color = picture.nearest(24, 16).map(|fragment| fragment.color);
+            assert_eq!(color, Some(DARK_RED.map(|channel| channel * level)));
+        }
+    }
+
+    #[test]
+    fn a_discarded_fragment_leaves_the_wall_behind() {
+        // Two walls across the view; the front one has a hole where its own x, a varying, is
+        // positive. At the distance 3 that is the right half of the picture.
+        let wall = |z: f64| [[-99.0, -99.0, z], [99.0, -99.0, z], [0.0, 99.0, z]];
+        let walls = mesh(&[wall(-3.0), wall(-6.0)]);
+        let picture = draw_scene(
+            &camera(PERSPECTIVE),
+            &walls,
+            Culling::Back,
+            SIZE,
+            |corner| [corner.position[0]],
+            |Sample { triangle, varyings: [x], .. }| {
+                (triangle == 1 || x <= 0.0).then_some(DARK_RED)
+            },
+        );
+        for (x, y) in pixels() {
+            let front = picture.nearest(x, y).map(|fragment| fragment.triangle);
+            assert_eq!(front, Some(usize::from(x >= 24)), "({x}, {y})");
+        }
     }
 
     #[test]
     fn nothing_is_drawn_outside_the_viewport() {
-        let everywhere =
-            mesh(&[[[-99.0, -99.0, -1.0], [99.0, -99.0, -1.0], [0.0, 99.0, -1.0]]], &[[0.5; 3]]);
+        let everywhere = mesh(&[[[-99.0, -99.0, -1.0], [99.0, -99.0, -1.0], [0.0, 99.0, -1.0]]]);
         let camera = Camera {
             viewport: Viewport { x: 5.0, y: 3.0, width: 20.0, height: 10.0 },
             ..camera(PERSPECTIVE)
         };
-        let picture = draw(&camera, &everywhere, Shading::Unlit, Culling::Back);
+        let picture = draw(&camera, &everywhere, Culling::Back);
         for (x, y) in pixels() {
             let is_inside = (5..25).contains(&x) && (3..13).contains(&y);
             assert_eq!(picture.layers(x, y), usize::from(is_inside), "({x}, {y})");
@@ -382,16 +452,11 @@ mod tests {
     fn a_camera_without_axes_and_wild_vertices_draw_nothing() {
         let triangle = [[-9.0, -9.0, -3.0], [9.0, -9.0, -3.0], [0.0, 9.0, -3.0]];
         let blind = Camera { up: [0.0, 0.0, 1.0], ..camera(PERSPECTIVE) };
-        let picture = draw(&blind, &mesh(&[triangle], &[[0.5; 3]]), Shading::Flat, Culling::None);
+        let picture = draw(&blind, &mesh(&[triangle]), Culling::None);
         assert!(pixels().all(|(x, y)| picture.layers(x, y) == 0));
         for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             let wild = [triangle[0], triangle[1], [0.0, wild, -3.0]];
-            let picture = draw(
-                &camera(PERSPECTIVE),
-                &mesh(&[wild], &[[0.5; 3]]),
-                Shading::Flat,
-                Culling::None,
-            );
+            let picture = draw(&camera(PERSPECTIVE), &mesh(&[wild]), Culling::None);
             assert!(pixels().all(|(x, y)| picture.layers(x, y) == 0));
         }
     }

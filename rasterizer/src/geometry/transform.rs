@@ -176,9 +176,8 @@ mod tests {
     use super::*;
     use crate::{
         camera::{Orthographic, Perspective},
-        geometry::{S4, S8},
         mesh::Positions,
-        numbers::{Float, Rotation, Scale, Turn, Vec3},
+        numbers::{Float, Rotation, S4, S8, Scale, Turn, Vec3},
     };
 
     const VIEWPORT: embedded_graphics_core::primitives::Rectangle =

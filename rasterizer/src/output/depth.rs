@@ -8,8 +8,14 @@ use crate::{
 /// The depth of a frame's pixels: `&mut [u16]`, `&mut [u32]`, or [`NoDepth`].
 pub trait DepthBuffer: Cells {}
 
+/// A format of depth that a frame can have: `u16`, `u32`, or [`NoDepth`].
+pub trait FrameDepth: DepthFormat + 'static {
+    /// What keeps a depth for each pixel.
+    type Buffer<'b>: DepthBuffer<Format = Self>;
+}
+
 /// A format of depth that a buffer can keep: `u16` or `u32`. The depth of 0 has no bit set.
-pub trait StoredDepth: bytemuck::Pod + for<'b> Kept<Buffer<'b> = &'b mut [Self]> {}
+pub trait StoredDepth: bytemuck::Pod + for<'b> FrameDepth<Buffer<'b> = &'b mut [Self]> {}
 
 impl StoredDepth for u16 {}
 impl StoredDepth for u32 {}
@@ -18,18 +24,12 @@ impl<D: StoredDepth> DepthBuffer for &mut [D] {}
 impl DepthBuffer for NoDepth {}
 
 mod private {
-    use super::{DepthFormat, Lent};
-
-    /// A format, and what keeps a depth of it for each pixel.
-    pub trait Kept: DepthFormat + 'static {
-        /// The depths of pixels.
-        type Buffer<'b>: super::DepthBuffer<Format = Self>;
-    }
+    use super::{FrameDepth, Lent};
 
     /// A cell for each pixel.
     pub trait Cells {
         /// How a depth is stored.
-        type Format: Kept;
+        type Format: FrameDepth;
 
         /// Whether pixels are tested at all.
         const IS_STORED: bool;
@@ -51,20 +51,20 @@ mod private {
     }
 }
 
-pub(super) use private::{Cells, Kept};
+pub(super) use private::Cells;
 
 /// Cells that are lent for a time.
-pub(super) type Lent<'l, B> = <<B as Cells>::Format as Kept>::Buffer<'l>;
+pub(super) type Lent<'l, B> = <<B as Cells>::Format as FrameDepth>::Buffer<'l>;
 
-impl Kept for u16 {
+impl FrameDepth for u16 {
     type Buffer<'b> = &'b mut [Self];
 }
 
-impl Kept for u32 {
+impl FrameDepth for u32 {
     type Buffer<'b> = &'b mut [Self];
 }
 
-impl Kept for NoDepth {
+impl FrameDepth for NoDepth {
     type Buffer<'b> = Self;
 }
 

@@ -14,7 +14,7 @@ pub use bands::{BandAreas, Bands, StreamError};
 pub use big_endian::Rgb565Be;
 pub use blending::{Blend, Blending, Replace};
 pub use color::StoredColor;
-pub use depth::{DepthBuffer, StoredDepth};
+pub use depth::{DepthBuffer, FrameDepth, StoredDepth};
 pub use direct::Direct;
 pub use fill::{Fill, PixelFill, WordFill};
 pub use frame::{Frame, FrameError};

@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use fixed::types::U16F16;
 
 use super::{Face, Light, Shader, lit::Lit};
@@ -24,7 +24,7 @@ impl<C> Unlit<C> {
     }
 }
 
-impl<C: PixelColor + From<Rgb888>> Shader for Unlit<C> {
+impl<C: Copy + From<Rgb888>> Shader for Unlit<C> {
     type Color = C;
     type Varyings = [u16; 0];
     type Surface = C;
@@ -70,7 +70,7 @@ impl<C> Flat<C> {
     }
 }
 
-impl<C: PixelColor + From<Rgb888>> Shader for Flat<C> {
+impl<C: Copy + From<Rgb888>> Shader for Flat<C> {
     type Color = C;
     type Varyings = [u16; 0];
     type Surface = Rgb888;

@@ -1,6 +1,6 @@
 //! Light worked out at the vertices and interpolated between them.
 
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888};
+use embedded_graphics_core::pixelcolor::Rgb888;
 use fixed::types::U16F16;
 
 use super::{Light, Ramp, Shader, lit::Lit};
@@ -35,7 +35,7 @@ impl<C, const LEVELS: usize> Gouraud<C, LEVELS> {
     }
 }
 
-impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LEVELS> {
+impl<C: Copy + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LEVELS> {
     type Color = C;
     /// The place of the light level in the ramp.
     type Varyings = [u16; 1];

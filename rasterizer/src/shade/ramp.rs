@@ -1,6 +1,6 @@
 //! The colours of a surface from dark to bright.
 
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb888, RgbColor};
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use fixed::types::U16F16;
 
 /// `LEVELS` colours, a power of two of them, to be looked up by brightness.
@@ -13,7 +13,7 @@ pub struct Ramp<C, const LEVELS: usize> {
     colors: [C; LEVELS],
 }
 
-impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
+impl<C: Copy, const LEVELS: usize> Ramp<C, LEVELS> {
     const INDEX_BITS: u32 = {
         assert!(
             LEVELS.is_power_of_two() && LEVELS >= 2 && LEVELS <= 1 << 15,
@@ -54,7 +54,7 @@ impl<C: PixelColor, const LEVELS: usize> Ramp<C, LEVELS> {
     }
 }
 
-impl<C: PixelColor + From<Rgb888>, const LEVELS: usize> Ramp<C, LEVELS> {
+impl<C: Copy + From<Rgb888>, const LEVELS: usize> Ramp<C, LEVELS> {
     /// From `dark` to `bright` in equal steps, each channel rounded to the nearest; with more than
     /// 256 levels within 3/4 of its step.
     #[must_use]

@@ -7,11 +7,11 @@ use core::{
 
 use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
 use rasterizer::{
-    attribute::{DepthFormat, NoDepth},
+    attribute::NoDepth,
     camera::{Camera, Perspective},
     geometry::ScreenVertex,
     numbers::Subpixel,
-    output::{BandAreas, DepthBuffer, Frame, Rgb565Be},
+    output::{BandAreas, Frame, FrameDepth, Rgb565Be},
     scene::{Object, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
@@ -61,10 +61,7 @@ impl<const SET_UP: bool> Display for Cost<SET_UP> {
 }
 
 /// Whether a scene tests depth, by the format of its depth: `u16`, or [`NoDepth`].
-pub trait Depth: DepthFormat {
-    /// What keeps it.
-    type Buffer<'a>: DepthBuffer<Format = Self>;
-
+pub trait Depth: FrameDepth {
     /// A frame in memory of just the area's size.
     fn frame<'a>(
         color: &'a mut [Rgb565Be],
@@ -74,8 +71,6 @@ pub trait Depth: DepthFormat {
 }
 
 impl Depth for u16 {
-    type Buffer<'a> = &'a mut [Self];
-
     fn frame<'a>(
         color: &'a mut [Rgb565Be],
         depth: &'a mut [Self],
@@ -86,8 +81,6 @@ impl Depth for u16 {
 }
 
 impl Depth for NoDepth {
-    type Buffer<'a> = Self;
-
     fn frame<'a>(
         color: &'a mut [Rgb565Be],
         _: &'a mut [u16],

@@ -88,7 +88,7 @@ fn shipped_models_are_closed_and_face_outwards() {
         assert!(volumes.iter().all(|&v| v > 1e-4), "{name}: {volumes:?}");
         assert_eq!(model.mesh().triangle_count(), triangles, "{name}");
     }
-    // The test can tell: a cube without one face is open.
+    // The test finds an open surface: a cube without one face.
     assert!(volumes_if_closed(&cube(&Options::default())).is_some());
     assert!(
         volumes_if_closed(&load(&CUBE.replace("f 1 2 6 5\n", ""), &Options::default()).unwrap())

@@ -3,6 +3,10 @@
 use super::camera::dot;
 
 /// A distant light and an even background: Lambert's cosine law.
+///
+/// A caller shades with it in any way: from the normal of each face (flat), or from the normal of
+/// each vertex with the level as a varying (Gouraud, "Continuous shading of curved surfaces", IEEE
+/// Transactions on Computers C-20(6), 1971).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
     /// Direction from the surface to the light: a unit vector in world space.
@@ -20,19 +24,6 @@ impl Light {
     pub const fn level(&self, normal: [f64; 3]) -> f64 {
         (self.ambient + self.diffuse * dot(normal, self.toward).max(0.0)).clamp(0.0, 1.0)
     }
-}
-
-/// Where the light level of a triangle comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Shading {
-    /// One level, of the face normal.
-    Flat,
-    /// A level at each vertex, of the vertex normal, and perspective-correct interpolation between
-    /// them (Gouraud, "Continuous shading of curved surfaces", IEEE Transactions on Computers
-    /// C-20(6), 1971).
-    Gouraud,
-    /// Level 1: the triangle's own color.
-    Unlit,
 }
 
 #[cfg(test)]

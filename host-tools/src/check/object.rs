@@ -1,0 +1,175 @@
+//! Any object of the core, with any shader, against a definition of that shader.
+
+use std::{
+    convert::Infallible,
+    time::{Duration, Instant},
+};
+
+use embedded_graphics_core::{
+    geometry::Point,
+    pixelcolor::{Rgb888, RgbColor},
+    primitives::Rectangle,
+};
+use rasterizer::{
+    attribute::{DepthFormat, Interpolate},
+    geometry::{Projection, ScreenVertex},
+    numbers::Subpixel,
+    output::{Blending, Frame, FrameError, StoredColor, StoredDepth},
+    scene::{Mode, Order, Projected, Vertices},
+    shade::{OnScreen, Shader},
+};
+
+use super::compare::{self, Deviation, Difference};
+use crate::reference::{
+    Picture, Sample, ScreenTriangle, ScreenVertex as ReferenceVertex, draw_screen,
+};
+
+/// A picture by the fixed-point core.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FixedPicture {
+    /// Width and height in pixels.
+    pub size: [u32; 2],
+    /// The pixels, row by row.
+    pub pixels: Vec<Pixel>,
+}
+
+/// A pixel by the fixed-point core.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixel {
+    /// Its colour in 8-bit steps; black where nothing is drawn.
+    pub color: [u8; 3],
+    /// Its stored depth; 0 where nothing is drawn.
+    pub depth: u32,
+}
+
+/// An object drawn by the core, and by the reference on the core's own vertices.
+#[derive(Clone, Debug)]
+pub struct Judged {
+    /// The core's picture.
+    pub fixed: FixedPicture,
+    /// The reference's picture, with depth in units of the stored format.
+    pub reference: Picture,
+    /// The stored depth of the near plane.
+    depth_max: f64,
+}
+
+impl Judged {
+    /// How far the core's picture is off.
+    #[must_use]
+    pub fn deviation(&self) -> Deviation {
+        compare::compare(&self.fixed, &self.reference, self.depth_max, 1.0)
+    }
+
+    /// How the pixel (x, y) differs.
+    ///
+    /// # Panics
+    ///
+    /// Panics if the pixel lies outside the picture.
+    #[must_use]
+    pub fn difference(&self, x: usize, y: usize) -> Difference {
+        compare::difference(&self.fixed, [x, y], self.depth_max, &self.reference, 1.0)
+    }
+}
+
+/// Draws a projected object into a picture of `area`, by the core and by the reference.
+///
+/// The closures define the shader. `varyings` returns what the reference interpolates, from a
+/// triangle's index in the mesh and a corner's stored varyings; there may be more or fewer than
+/// those. `shade` returns the colour of a sample (red, green and blue in 0..=255), whose triangle
+/// is that index and whose pixel counts from the corner of `area`; or `None` to discard it.
+///
+/// # Errors
+///
+/// Returns an error if a frame cannot have that area.
+pub fn judge<const N: usize, V, P, Sh, M, O>(
+    projected: &Projected<'_, V, P, Sh, M, O>,
+    area: Rectangle,
+    varyings: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+    shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
+) -> Result<Judged, FrameError>
+where
+    for<'f> M::Blending: Blending<Frame<'f, Sh::Color, &'f mut [V::Depth]>>,
+    V: Vertices<OnScreen<Sh>, Depth: StoredDepth + Into<u32>>,
+    P: Projection,
+    Sh: Shader<Color: StoredColor + From<Rgb888> + Into<Rgb888>>,
+    M: Mode,
+    O: Order,
+{
+    let (fixed, _) = draw(projected, area)?;
+    let triangles = screen_triangles(projected, area.top_left, |triangle, corner| {
+        (f64::from(corner.depth().into()), varyings(triangle, corner.varyings()))
+    });
+    let size = (area.size.width as usize, area.size.height as usize);
+    let reference = draw_screen(&triangles, size, shade);
+    let depth_max = f64::from(V::Depth::from_fraction(u32::MAX).into());
+    Ok(Judged { fixed, reference, depth_max })
+}
+
+/// Draws a projected object by the core. Returns the picture of `area` and how long drawing takes.
+pub(super) fn draw<V, P, Sh, M, O>(
+    projected: &Projected<'_, V, P, Sh, M, O>,
+    area: Rectangle,
+) -> Result<(FixedPicture, Duration), FrameError>
+where
+    for<'f> M::Blending: Blending<Frame<'f, Sh::Color, &'f mut [V::Depth]>>,
+    V: Vertices<OnScreen<Sh>, Depth: StoredDepth + Into<u32>>,
+    P: Projection,
+    Sh: Shader<Color: StoredColor + From<Rgb888> + Into<Rgb888>>,
+    M: Mode,
+    O: Order,
+{
+    let pixels = area.size.width as usize * area.size.height as usize;
+    let mut color = vec![Sh::Color::from(Rgb888::BLACK); pixels];
+    let mut depth = vec![V::Depth::ZERO; pixels];
+    let start = Instant::now();
+    let mut frame = Frame::new(&mut color, &mut depth, area)?;
+    let Ok(()) = projected.draw(&mut frame);
+    let time = start.elapsed();
+
+    let pixel = |(&color, &depth): (&Sh::Color, &V::Depth)| {
+        let color: Rgb888 = color.into();
+        Pixel { color: [color.r(), color.g(), color.b()], depth: depth.into() }
+    };
+    let size = [area.size.width, area.size.height];
+    Ok((FixedPicture { size, pixels: color.iter().zip(&depth).map(pixel).collect() }, time))
+}
+
+/// The triangles that the core draws of a projected object, for the reference.
+///
+/// Positions are in pixels from `origin`, a place on the display. `corner` returns the depth and
+/// the varyings of a corner, from the triangle's index in the mesh, which becomes its number.
+pub fn screen_triangles<const N: usize, V, P, Sh, M, O>(
+    projected: &Projected<'_, V, P, Sh, M, O>,
+    origin: Point,
+    corner: impl Fn(usize, &ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>) -> (f64, [f64; N]),
+) -> Vec<ScreenTriangle<N>>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
+    O: Order,
+{
+    let mut triangles = Vec::new();
+    let Ok(()) = projected.for_each_triangle(|number, corners| {
+        let vertices = corners.map(|vertex| {
+            let position = vertex.position().expect("the corners of a clipped triangle have one");
+            let [x, y] = to_pixels::<V::Subpixel>(position);
+            let (depth, varyings) = corner(number, vertex);
+            ReferenceVertex {
+                x: x - f64::from(origin.x),
+                y: y - f64::from(origin.y),
+                depth,
+                varyings,
+            }
+        });
+        triangles.push(ScreenTriangle { vertices, number });
+        Ok::<(), Infallible>(())
+    });
+    triangles
+}
+
+/// A position on the screen in pixels.
+pub(super) fn to_pixels<S: Subpixel>(position: [i32; 2]) -> [f64; 2] {
+    position.map(|c| f64::from(c) / f64::from(1 << S::BITS))
+}
