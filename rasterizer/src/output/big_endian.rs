@@ -17,7 +17,7 @@ use super::{StoredColor, WordFill};
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
-/// use rasterizer::target::Rgb565Be;
+/// use rasterizer::output::Rgb565Be;
 ///
 /// let pixels = [Rgb565::RED, Rgb565::BLUE].map(Rgb565Be::from);
 /// assert_eq!(Rgb565Be::as_bytes(&pixels), [0xF8, 0x00, 0x00, 0x1F]);

@@ -85,8 +85,8 @@ impl<T: Target> Blending<T> for Replace {
 ///     )
 /// }
 ///
-/// # fn glass<'a>(mesh: &'a Mesh<'a>, sun: Light) {
-/// let glass = Object::new(mesh, Flat::new(sun)).blended(Blend(average));
+/// # fn glass<'a>(mesh: &'a Mesh<'a>, flat: Flat<Rgb565>) {
+/// let glass = Object::new(mesh, flat).blended(Blend(average));
 /// # let _ = glass;
 /// # }
 /// ```

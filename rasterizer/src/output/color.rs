@@ -14,7 +14,7 @@ use super::{Fill, PixelFill};
 ///
 /// ```
 /// use embedded_graphics_core::{pixelcolor::raw::RawU4, prelude::*, primitives::Rectangle};
-/// use rasterizer::target::{Frame, PixelFill, StoredColor};
+/// use rasterizer::output::{Frame, PixelFill, StoredColor};
 ///
 /// /// A place in a palette.
 /// #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ use super::{Fill, PixelFill};
 /// Frame::without_depth(&mut pixels, Rectangle::new(Point::zero(), Size::new(3, 2)))?
 ///     .clear(Indexed(7));
 /// assert_eq!(pixels, [Indexed(7); 6]);
-/// # Ok::<(), rasterizer::target::FrameError>(())
+/// # Ok::<(), rasterizer::output::FrameError>(())
 /// ```
 ///
 /// One of 16 bits that is plain data, and aligned like a `u16`, takes [`WordFill`](super::WordFill)
