@@ -314,7 +314,7 @@ impl<C: StoredColor, B: DepthBuffer> Target for Frame<'_, C, B> {
         window: &Window,
         mut pixel: impl FnMut(FragmentOf<Q>) -> O,
     ) -> Result<(), Infallible> {
-        self.blend(primitive, window, |_, fragment| pixel(fragment))
+        self.blend(primitive, window, move |_, fragment| pixel(fragment))
     }
 
     #[inline(always)]
