@@ -7,7 +7,10 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use super::{Target, pixels::Run};
+use super::{
+    Target,
+    pixels::{Place, Run},
+};
 use crate::{
     attribute::{Interpolate, NoDepth},
     raster::{Fragment, FragmentOf, Layout, Primitive, Span, Window},
@@ -49,14 +52,15 @@ const fn rectangle<V: Interpolate>(window: &Window, span: &Span<NoDepth, V>) -> 
 struct Fragments<V: Interpolate> {
     run: Run<NoDepth, V>,
     rest: V::Rest,
+    place: Place,
     /// The pixels of the run that are still to come.
     pixels: usize,
 }
 
 impl<V: Interpolate> Fragments<V> {
     fn new(span: &Span<NoDepth, V>, layout: Layout) -> Self {
-        let (run, rest) = Run::first_of(span, layout);
-        Self { run, rest, pixels: run.pixels }
+        let (run, pixels, rest) = Run::first_of(span);
+        Self { run, rest, place: Place::of(span, layout), pixels }
     }
 }
 
@@ -66,12 +70,12 @@ impl<V: Interpolate> Iterator for Fragments<V> {
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
         if self.pixels == 0 {
-            self.run.enter(self.rest.next()?);
-            self.pixels = self.run.pixels;
+            self.pixels = self.run.enter(self.rest.next()?);
         }
-        self.pixels -= 1;
-        let fragment = self.run.fragment();
+        let fragment = self.run.fragment(self.place);
         self.run.step();
+        self.place = self.place.right(1);
+        self.pixels -= 1;
         Some(fragment)
     }
 }

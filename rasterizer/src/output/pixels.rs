@@ -31,74 +31,95 @@ pub(super) fn draw<C: Copy, Q: Primitive, O: Outcome<C>>(
     let cells = cells.get_mut(..pixels).unwrap_or_default();
     primitive.for_each_span(window, layout, |span| {
         let mut start = span.start;
-        let (mut run, mut rest) = Run::<Q::Depth, Q::Varyings>::first_of(span, layout);
+        let mut place = Place::of(span, layout);
+        let (mut run, mut pixels, mut rest) = Run::<Q::Depth, Q::Varyings>::first_of(span);
         loop {
-            let end = start + run.pixels;
+            let end = start + pixels;
             if let (Some(colors), Some(cells)) =
                 (colors.get_mut(start..end), cells.get_mut(start..end))
             {
-                run.draw(colors, cells, &mut pixel);
+                run.draw(colors, cells, place, &mut pixel);
             }
             let Some(piece) = rest.next() else { return Ok(()) };
             start = end;
-            run.skip();
-            run.enter(piece);
+            place = place.right(pixels);
+            run.skip(pixels);
+            pixels = run.enter(piece);
         }
     })
 }
 
-/// Pixels in a row along which depth and varyings change by equal steps: a piece of a span.
+/// The place of a pixel on the display.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Run<D: DepthFormat, V: Interpolate> {
-    pub(super) pixels: usize,
-    depth: D::Accumulator,
-    depth_step: D::Accumulator,
-    varyings: V::Walk,
-    varyings_step: V::Walk,
+pub(super) struct Place {
     column: i32,
     row: i32,
 }
 
-impl<D: DepthFormat, V: Interpolate> Run<D, V> {
-    /// The first piece of a span, and the pieces after it.
+impl Place {
+    /// Of the first pixel of a span.
     #[inline(always)]
-    pub(super) fn first_of(span: &Span<D, V>, layout: Layout) -> (Self, V::Rest) {
+    pub(super) const fn of<D: Interpolate, V: Interpolate>(
+        span: &Span<D, V>,
+        layout: Layout,
+    ) -> Self {
+        let column = (span.start as i32).wrapping_sub(layout.row_address(span.row));
+        Self { column, row: span.row }
+    }
+
+    /// Some pixels to the right.
+    #[inline(always)]
+    pub(super) const fn right(self, pixels: usize) -> Self {
+        Self { column: self.column.wrapping_add(pixels as i32), ..self }
+    }
+}
+
+/// Depth and varyings on the way along pixels between which they change by equal steps: a piece of
+/// a span.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Run<D: DepthFormat, V: Interpolate> {
+    depth: D::Accumulator,
+    depth_step: D::Accumulator,
+    varyings: V::Walk,
+    varyings_step: V::Walk,
+}
+
+impl<D: DepthFormat, V: Interpolate> Run<D, V> {
+    /// The first piece of a span, its number of pixels, and the pieces after it.
+    #[inline(always)]
+    pub(super) fn first_of(span: &Span<D, V>) -> (Self, usize, V::Rest) {
         let (piece, rest) = V::walk(span.varyings, span.varyings_step, span.end - span.start);
         let run = Self {
-            pixels: piece.pixels,
             depth: span.depth,
             depth_step: span.depth_step,
             varyings: piece.first,
             varyings_step: piece.step,
-            column: (span.start as i32).wrapping_sub(layout.row_address(span.row)),
-            row: span.row,
         };
-        (run, rest)
+        (run, piece.pixels, rest)
     }
 
-    /// Goes on with the span's next piece, behind the last pixel of this one.
+    /// Goes on with the span's next piece, behind the last pixel of this one. Returns its number of
+    /// pixels.
     #[inline(always)]
-    pub(super) fn enter(&mut self, piece: Piece<V::Walk>) {
-        self.pixels = piece.pixels;
+    pub(super) fn enter(&mut self, piece: Piece<V::Walk>) -> usize {
         (self.varyings, self.varyings_step) = (piece.first, piece.step);
+        piece.pixels
     }
 
-    /// Goes from the first pixel behind the last one; the varyings stay.
+    /// Takes the depth `pixels` pixels on.
     #[inline(always)]
-    fn skip(&mut self) {
-        let pixels = self.pixels as i32;
-        self.depth = self.depth.wrapping_add(self.depth_step.wrapping_mul(pixels));
-        self.column = self.column.wrapping_add(pixels);
+    fn skip(&mut self, pixels: usize) {
+        self.depth = self.depth.wrapping_add(self.depth_step.wrapping_mul(pixels as i32));
     }
 
     /// The fragment at hand.
     #[inline(always)]
-    pub(super) fn fragment(&self) -> Fragment<V::Sample> {
+    pub(super) fn fragment(&self, place: Place) -> Fragment<V::Sample> {
         Fragment {
             varyings: V::sample(self.varyings),
             depth: D::at(self.depth).to_fraction(),
-            column: self.column,
-            row: self.row,
+            column: place.column,
+            row: place.row,
         }
     }
 
@@ -107,7 +128,6 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     pub(super) fn step(&mut self) {
         self.depth = self.depth.wrapping_add(self.depth_step);
         self.varyings = self.varyings.wrapping_add(self.varyings_step);
-        self.column = self.column.wrapping_add(1);
     }
 
     #[inline(always)]
@@ -115,41 +135,47 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         mut self,
         colors: &mut [C],
         cells: &mut [D],
+        place: Place,
         mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
     ) {
         if cells.len() >= LONG_RUN {
-            self.draw_long(colors, cells, pixel);
+            self.draw_long(colors, cells, place.column, place.row, pixel);
             return;
         }
-        // codegen: by their places, for which compilers take an instruction less a span than for
+        // codegen: by their indices, for which compilers take an instruction less a span than for
         // slices zipped.
-        for place in 0..cells.len() {
+        for index in 0..cells.len() {
             codegen::keep_rolled();
-            let (Some(color), Some(cell)) = (colors.get_mut(place), cells.get_mut(place)) else {
+            let (Some(color), Some(cell)) = (colors.get_mut(index), cells.get_mut(index)) else {
                 break;
             };
-            self.draw_pixel(color, cell, &mut pixel);
+            self.draw_pixel(color, cell, place.right(index), &mut pixel);
         }
     }
 
     /// Two pixels at a time.
-    // codegen: not inlined, because it needs all registers.
+    // codegen: not inlined, because it needs all registers. The place comes in parts, which are not
+    // passed to it if nobody reads them.
     #[inline(never)]
     fn draw_long<C: Copy, O: Outcome<C>>(
         mut self,
         colors: &mut [C],
         cells: &mut [D],
+        column: i32,
+        row: i32,
         mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
     ) {
+        let mut place = Place { column, row };
         let (color_pairs, last_color) = colors.as_chunks_mut::<2>();
         let (cell_pairs, last_cell) = cells.as_chunks_mut::<2>();
         for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
             codegen::keep_rolled();
-            self.draw_pixel(color, cell, &mut pixel);
-            self.draw_pixel(next_color, next_cell, &mut pixel);
+            self.draw_pixel(color, cell, place, &mut pixel);
+            self.draw_pixel(next_color, next_cell, place.right(1), &mut pixel);
+            place = place.right(2);
         }
         for (color, cell) in last_color.iter_mut().zip(last_cell) {
-            self.draw_pixel(color, cell, &mut pixel);
+            self.draw_pixel(color, cell, place, &mut pixel);
         }
     }
 
@@ -159,6 +185,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         &mut self,
         color: &mut C,
         cell: &mut D,
+        place: Place,
         pixel: &mut impl FnMut(C, Fragment<V::Sample>) -> O,
     ) {
         let here = *self;
@@ -171,7 +198,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         if !O::DISCARDS {
             *cell = depth;
         }
-        if let Some(outcome) = pixel(*color, here.fragment()).color() {
+        if let Some(outcome) = pixel(*color, here.fragment(place)).color() {
             if O::DISCARDS {
                 *cell = depth;
             }
