@@ -117,7 +117,7 @@ impl<T: Readable, F: Fn(T::Color, T::Color) -> T::Color + Copy> Blending<T> for 
         window: &Window,
         color: T::Color,
     ) -> Result<(), T::Error> {
-        self.shade(target, primitive, window, |_| color)
+        self.shade(target, primitive, window, move |_| color)
     }
 }
 

@@ -325,7 +325,7 @@ impl<C: StoredColor, B: DepthBuffer> Target for Frame<'_, C, B> {
         color: C,
     ) -> Result<(), Infallible> {
         if B::IS_STORED {
-            self.shade(primitive, window, |_| color)
+            self.shade(primitive, window, move |_| color)
         } else {
             self.fill_runs(primitive, window, color)
         }

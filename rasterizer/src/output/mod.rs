@@ -63,7 +63,7 @@ pub trait Target {
         window: &Window,
         color: Self::Color,
     ) -> Result<(), Self::Error> {
-        self.shade(primitive, window, |_| color)
+        self.shade(primitive, window, move |_| color)
     }
 }
 
