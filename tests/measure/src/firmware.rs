@@ -56,7 +56,7 @@ pub(crate) fn build_all(core: Core, names: &[&str], opt_level: Option<&str>) -> 
 /// If it does not compile.
 pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
     let mut command = Command::new(cargo_in_use());
-    command.args(CARGO_ARGUMENTS);
+    command.args(CARGO_ARGUMENTS).arg("--release");
     run(command, &[name])?;
     Ok(target_directory().join("release").join(name).with_extension(env::consts::EXE_EXTENSION))
 }
