@@ -213,6 +213,9 @@ pub mod geometry;
 pub mod mesh;
 pub mod numbers;
 pub mod prelude;
+#[cfg(test)]
+#[expect(dead_code, unreachable_pub, reason = "the project's other tests use it too")]
+mod random;
 pub mod raster;
 pub mod scene;
 pub mod shade;

@@ -3,7 +3,7 @@
 //! It is called rather than inlined, with 64-bit arithmetic at several places of every scene: it is
 //! for clipping, slivers and 32-bit depth.
 
-use super::{narrow::IS_NARROW, reciprocal::Reciprocal};
+use super::{instructions::IS_NARROW, reciprocal::Reciprocal};
 
 /// A positive divisor.
 ///
@@ -101,16 +101,11 @@ impl Divisor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     #[test]
     fn equals_division() {
-        let mut random: u64 = 88_172_645_463_325_252;
-        let mut next = || {
-            random ^= random << 13;
-            random ^= random >> 7;
-            random ^= random << 17;
-            random
-        };
+        let mut random = Random::new(88_172_645);
         let check = |n: i64, d: u64| {
             let want = (n.div_euclid(d as i64), n.rem_euclid(d as i64));
             assert_eq!(Divisor::new(d).divide(n), want, "{n} / {d}");
@@ -124,7 +119,7 @@ mod tests {
             }
         }
         for _ in 0..1_000_000 {
-            let (a, b, s) = (next(), next(), next());
+            let (a, b, s) = (random.bits(), random.bits(), random.bits());
             let n = (a >> 2 >> (s % 62)) as i64;
             let d = (b >> 2 >> (s / 62 % 62)).max(1);
             check(n, d);

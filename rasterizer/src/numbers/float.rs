@@ -12,7 +12,7 @@ use super::{Scale, reciprocal::Reciprocal};
 /// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or
 /// [`ZERO`](Self::ZERO).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Float {
+pub(crate) struct Float {
     pub(crate) mantissa: i32,
     pub(crate) exponent: i32,
 }

@@ -14,18 +14,19 @@
 
 mod divide;
 mod float;
+mod instructions;
 mod interchange;
-mod narrow;
 mod reciprocal;
 mod root;
 mod rotation;
 mod scale;
+mod software;
 mod turn;
 mod vector;
 
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
-pub(crate) use narrow::{
+pub(crate) use instructions::{
     HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high,
     mul_high_unsigned, mul_q30, normalised, saturate,
 };

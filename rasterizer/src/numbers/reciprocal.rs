@@ -3,11 +3,11 @@
 //! A core without a divide instruction needs some 25 instructions for it, one with a divider no
 //! more than the divider would take for the same precision. All cores compute the same bits.
 
-use super::narrow::{mul_high_unsigned, normalised};
+use super::instructions::{mul_high_unsigned, normalised};
 
 /// 1 / value as `mantissa * 2^(leading_zeros - 62)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reciprocal {
+pub(crate) struct Reciprocal {
     /// 2<sup>62</sup> / (value << `leading_zeros`), from 2<sup>30</sup> to 2<sup>31</sup> - 1.
     ///
     /// Its relative error is below 2<sup>-27</sup>.
