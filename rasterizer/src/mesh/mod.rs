@@ -17,7 +17,7 @@ pub use bounds::BoundingBox;
 pub use check::MeshError;
 pub use columns::{Normals, Positions, TextureCoordinates, Triangles};
 use embedded_graphics_core::pixelcolor::Rgb888;
-pub(crate) use vertex::VertexColumns;
+pub(crate) use vertex::{FaceColumns, VertexColumns};
 pub use vertex::{MeshFace, MeshVertex, RequiredTables};
 
 use crate::numbers::{Scale, Vec3};

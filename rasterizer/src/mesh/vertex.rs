@@ -1,6 +1,6 @@
 //! Vertices and triangles of a mesh, as a shader sees them.
 
-use super::{Tables, columns::Normals};
+use super::Tables;
 
 /// The optional tables of a mesh that a shader reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -58,6 +58,19 @@ fn cut<T>(column: &[T], count: usize, is_read: bool) -> Option<&[T]> {
     if is_read { column.get(..count) } else { Some(column) }
 }
 
+/// The tables of triangles as slices, in the same way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FaceColumns<'a> {
+    normals: &'a [[i8; 3]],
+}
+
+impl<'a> FaceColumns<'a> {
+    #[inline(always)]
+    pub(crate) const fn new(tables: &Tables<'a>) -> Self {
+        Self { normals: tables.face_normals.as_slice() }
+    }
+}
+
 /// A vertex of a mesh. Each method reads its table when it is called.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshVertex<'a> {
@@ -106,14 +119,14 @@ impl<'a> MeshVertex<'a> {
 /// A triangle of a mesh. Each method reads its table when it is called.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshFace<'a> {
-    normals: Normals<'a>,
+    columns: &'a FaceColumns<'a>,
     index: usize,
 }
 
 impl<'a> MeshFace<'a> {
     #[inline(always)]
-    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { normals: tables.face_normals, index }
+    pub(crate) const fn new(columns: &'a FaceColumns<'a>, index: usize) -> Self {
+        Self { columns, index }
     }
 
     /// Its place in the table, from 0.
@@ -127,6 +140,6 @@ impl<'a> MeshFace<'a> {
     #[inline(always)]
     #[must_use]
     pub fn normal(&self) -> [i8; 3] {
-        self.normals.get(self.index).unwrap_or_default()
+        self.columns.normals.get(self.index).copied().unwrap_or_default()
     }
 }

@@ -15,7 +15,7 @@ use crate::{
         ClipAll, ClipVertex, Clipping, CullBack, Culling, DepthFormat, MAX_CORNERS, PoseError,
         Projection, ScreenVertex, Subpixel, Transform, clip,
     },
-    mesh::{Material, MeshFace, MeshVertex, Tables, VertexColumns},
+    mesh::{FaceColumns, Material, MeshFace, MeshVertex, Tables, VertexColumns},
     raster::{Triangle, Window, first_center, signed_area},
     shade::Shader,
     target::Target,
@@ -169,6 +169,7 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
         }
         let rows = Rows::of::<V::Subpixel>(&window);
         let mut lookup = self.vertices.lookup();
+        let faces = FaceColumns::new(self.tables);
         let mut first = 0;
         for material in self.tables.materials {
             let end = first + material.triangle_count as usize;
@@ -186,7 +187,7 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
                     // `prepare` has put it there.
                     let Some(surface) = &surface else { return Ok(()) };
                     let triangle = Triangle::new(corners, area);
-                    match self.shader.face(surface, &MeshFace::new(self.tables, index)) {
+                    match self.shader.face(surface, &MeshFace::new(&faces, index)) {
                         Some(color) => target.fill(triangle, &window, color),
                         None => target.shade(triangle, &window, |varyings| {
                             self.shader.pixel(surface, varyings)
