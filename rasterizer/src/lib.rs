@@ -221,11 +221,11 @@ pub mod scene;
 pub mod shade;
 pub mod target;
 
-// Their types are part of this crate's signatures: name them through here, and they are the versions
-// that it is built with.
+// Their types are part of this crate's signatures: name them through here, and they are the
+// versions that it is built with.
 pub use bytemuck;
 pub use embedded_graphics_core;
-/// Fixed-point numbers. The newest version of it, which `cargo add fixed` takes, has other types than
-/// the one that goes with [`embedded_graphics_core`].
+/// Fixed-point numbers. The newest version of it, which `cargo add fixed` takes, has other types
+/// than the one that goes with [`embedded_graphics_core`].
 pub use fixed;
 pub use micromath;

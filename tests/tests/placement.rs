@@ -139,7 +139,7 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
         };
         match place {
             None => {
-                assert!(!is_certain(1.0, 1.0), "vertex {index} is on the screen: {stage:?} {lens}")
+                assert!(!is_certain(1.0, 1.0), "vertex {index} is on the screen: {stage:?} {lens}");
             }
             Some([px, py]) => {
                 assert!(

@@ -70,8 +70,8 @@ impl<P> Camera<P> {
     ///
     /// # Errors
     ///
-    /// Returns [`CameraError::Direction`] if `target` is `eye` or if `up` is along the direction to it,
-    /// and [`CameraError::ViewportSize`] or [`CameraError::ViewportOffset`] for a bad viewport.
+    /// Returns [`CameraError::Direction`] if `target` is `eye` or if `up` is along the direction to
+    /// it, and [`CameraError::ViewportSize`] or [`CameraError::ViewportOffset`] for a bad viewport.
     pub fn look_at(
         eye: Vec3,
         target: Vec3,

@@ -30,8 +30,8 @@ enum Focal {
 }
 
 impl Perspective {
-    /// From the angle between the viewport's upper and lower edges, and the distances of the near and
-    /// far planes.
+    /// From the angle between the viewport's upper and lower edges, and the distances of the near
+    /// and far planes.
     ///
     /// # Errors
     ///
@@ -50,7 +50,8 @@ impl Perspective {
         Self::checked(Focal::HalfHeights(cotangent), near, far)
     }
 
-    /// From the focal length in pixels: the size on the screen of one unit at a distance of one unit.
+    /// From the focal length in pixels: the size on the screen of one unit at a distance of one
+    /// unit.
     ///
     /// # Errors
     ///

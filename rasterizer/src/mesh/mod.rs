@@ -122,7 +122,8 @@ impl<'a> Mesh<'a> {
     ///
     /// # Panics
     ///
-    /// Panics if the tables are faulty. In a constant that is a compile error which names the fault.
+    /// Panics if the tables are faulty. In a constant that is a compile error which names the
+    /// fault.
     #[must_use]
     pub const fn new_const(tables: Tables<'a>) -> Self {
         match Self::new(tables) {

@@ -8,8 +8,9 @@ use super::{instructions::IS_NARROW, reciprocal::Reciprocal};
 /// A positive divisor.
 ///
 /// Cores with a long multiply divide by the reciprocal: each step estimates a digit of 26 bits from
-/// the reciprocal of the divisor's upper 32 bits and keeps the exact remainder, as in long division.
-/// Other cores divide bit by bit, which takes two or three times as long and 430 bytes less.
+/// the reciprocal of the divisor's upper 32 bits and keeps the exact remainder, as in long
+/// division. Other cores divide bit by bit, which takes two or three times as long and 430 bytes
+/// less.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Divisor {
     value: u64,

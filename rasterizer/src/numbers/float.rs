@@ -1,5 +1,5 @@
-//! Numbers of any magnitude with 31 bits of precision, for what is computed once per frame: matrices
-//! and planes.
+//! Numbers of any magnitude with 31 bits of precision, for what is computed once per frame:
+//! matrices and planes.
 //!
 //! No loop over vertices or pixels uses them, so their functions are called rather than inlined,
 //! which saves 2 KB of flash. With them a scene may measure a thousandth of a unit or ten thousand
@@ -58,8 +58,8 @@ impl Float {
         Self::new(self.mantissa as i64 * other.mantissa as i64, self.exponent + other.exponent)
     }
 
-    /// The sum, within 1.5 x 2<sup>-30</sup> of the larger magnitude: half a unit of it for the bits
-    /// of the other that are below, and one where the sum has a bit more.
+    /// The sum, within 1.5 x 2<sup>-30</sup> of the larger magnitude: half a unit of it for the
+    /// bits of the other that are below, and one where the sum has a bit more.
     pub(crate) fn plus(self, other: Self) -> Self {
         let unit = self.exponent.max(other.exponent);
         let sum = i64::from(self.in_units_of(unit)) + i64::from(other.in_units_of(unit));

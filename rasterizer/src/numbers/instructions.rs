@@ -37,8 +37,8 @@ pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
     }
 }
 
-/// The product with a number in Q30, rounded. It is not inlined: only angles and lights use it, once
-/// per frame.
+/// The product with a number in Q30, rounded. It is not inlined: only angles and lights use it,
+/// once per frame.
 #[inline(never)]
 pub(crate) const fn mul_q30(a: i32, b: i32) -> i32 {
     ((a as i64 * b as i64 + (1 << 29)) >> 30) as i32
@@ -82,8 +82,8 @@ pub(crate) const fn divide(a: u32, b: u32) -> u32 {
     }
 }
 
-/// The lesser of the number and `limit` - 1. The number is at least -`limit`, and `limit` is a power
-/// of two.
+/// The lesser of the number and `limit` - 1. The number is at least -`limit`, and `limit` is a
+/// power of two.
 #[inline(always)]
 pub(crate) const fn saturate(value: i32, limit: i32) -> i32 {
     if value >= limit {

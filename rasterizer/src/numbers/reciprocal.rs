@@ -1,7 +1,8 @@
 //! The reciprocal of a positive integer, from a table and two Newton steps.
 //!
-//! A core without a divide instruction needs some 25 instructions for it. On a core with a divider it
-//! takes no longer than the divider would for the same precision. All cores compute the same bits.
+//! A core without a divide instruction needs some 25 instructions for it. On a core with a divider
+//! it takes no longer than the divider would for the same precision. All cores compute the same
+//! bits.
 
 use super::instructions::{mul_high_unsigned, normalised};
 

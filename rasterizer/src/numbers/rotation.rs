@@ -99,8 +99,8 @@ impl Rotation {
         turned
     }
 
-    /// Makes the rows orthonormal again (Gram and Schmidt): the first row keeps its direction, and the
-    /// second its plane with the first.
+    /// Makes the rows orthonormal again (Gram and Schmidt): the first row keeps its direction, and
+    /// the second its plane with the first.
     #[must_use]
     pub fn orthonormalized(&self) -> Self {
         let [x, y, _] = self.rows.map(|row| row.map(|c| i64::from(c.to_bits())));
@@ -148,8 +148,8 @@ impl Mul<Vec3> for Rotation {
 }
 
 impl Vec3 {
-    /// The scalar product with a direction in Q30, exact, in Q46. It is not inlined: matrices use it,
-    /// once per frame.
+    /// The scalar product with a direction in Q30, exact, in Q46. It is not inlined: matrices use
+    /// it, once per frame.
     #[inline(never)]
     pub(crate) fn along(&self, direction: &[i32; 3]) -> i64 {
         let products = self.to_bits().into_iter().zip(direction);

@@ -103,8 +103,8 @@ const SINE: [i32; 6] = [1_686_629_713, -693_598_666, 85_569_282, -5_026_892, 172
 /// The sine of `turns` / 2^32 of a turn, in Q30.
 #[inline(never)]
 const fn sine(turns: u32) -> i32 {
-    // Half turns in Q31 are quarter turns in Q30. They are folded at the quarters, where the sine is
-    // symmetric.
+    // Half turns in Q31 are quarter turns in Q30. They are folded at the quarters, where the sine
+    // is symmetric.
     let half_turns = turns as i32;
     let x = if half_turns > 1 << 30 || half_turns < -(1 << 30) {
         (1u32 << 31).wrapping_sub(turns) as i32

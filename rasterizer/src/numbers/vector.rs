@@ -37,8 +37,8 @@ impl Vec3 {
     /// From decimal text, at compile time: `const EYE: Vec3 = Vec3::lit("0", "1.5", "-4");`
     ///
     /// Call it in a constant or in a block `const { .. }`, where the compiler reads the text.
-    /// Elsewhere the firmware may have to read it, with 3.6 KB of code. The same goes for `lit` of [`Scalar`], [`Distance`](crate::camera::Distance) and
-    /// [`Level`](crate::shade::Level).
+    /// Elsewhere the firmware may have to read it, with 3.6 KB of code. The same goes for `lit` of
+    /// [`Scalar`], [`Distance`](crate::camera::Distance) and [`Level`](crate::shade::Level).
     ///
     /// # Panics
     ///
