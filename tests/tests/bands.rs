@@ -328,7 +328,10 @@ fn walking_remembers_recent_vertices() {
         match eye {
             // All corners of all triangles; each vertex once.
             "3" => {
-                assert_eq!((counts[0], counts[4]), (3 * mesh.triangle_count(), mesh.vertex_count()))
+                assert_eq!(
+                    (counts[0], counts[4]),
+                    (3 * mesh.triangle_count(), mesh.vertex_count())
+                );
             }
             "-30" => assert_eq!(counts, [0; 5]),
             _ => (),
