@@ -330,9 +330,9 @@ impl<V: Vertices<Sh::Varyings>, P: Projection, Sh: Shader, K: Culling, L: Clippi
     #[inline(never)]
     fn hides(&self, index: usize) -> bool {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
-        let columns = VertexColumns::new(self.tables);
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
-            bits & self.transform.beyond(MeshVertex::new(&columns, index).position(), self.size())
+            let position = self.tables.positions.get(index).unwrap_or_default();
+            bits & self.transform.beyond(position, self.size())
         });
         beyond_all != 0
     }
