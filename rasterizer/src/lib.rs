@@ -219,15 +219,18 @@ pub mod mesh;
 pub mod numbers;
 pub mod output;
 pub mod prelude;
+#[cfg(test)]
+#[expect(dead_code, unreachable_pub, reason = "the project's other tests use it too")]
+mod random;
 pub mod raster;
 pub mod scene;
 pub mod shade;
 
-// Their types are part of this crate's signatures: name them through here, and they are the versions
-// that it is built with.
+// Their types are part of this crate's signatures: name them through here, and they are the
+// versions that it is built with.
 pub use bytemuck;
 pub use embedded_graphics_core;
-/// Fixed-point numbers. The newest version of it, which `cargo add fixed` takes, has other types than
-/// the one that goes with [`embedded_graphics_core`].
+/// Fixed-point numbers. The newest version of it, which `cargo add fixed` takes, has other types
+/// than the one that goes with [`embedded_graphics_core`].
 pub use fixed;
 pub use micromath;

@@ -1,4 +1,4 @@
-//! What most programs name.
+//! The names that most programs use. None of them is in `embedded_graphics::prelude`.
 
 pub use crate::{
     attribute::NoDepth,

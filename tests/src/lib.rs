@@ -4,6 +4,7 @@ pub mod bands;
 mod counter;
 pub mod ends;
 mod picture;
+#[path = "../../rasterizer/src/random.rs"]
 mod random;
 mod recorder;
 mod scene;

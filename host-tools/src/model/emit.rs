@@ -1,8 +1,9 @@
 //! The tables as a Rust source file.
 //!
-//! The file has plain comments only, so that it can be a module or be taken in by `include!`. All
-//! tables are statics inside the initialiser of the one public static, where their names meet no
-//! others; `#[rustfmt::skip]` on it keeps a formatter from putting each number on its own line.
+//! The file has plain comments only, so that it can be a module or be included by `include!`. All
+//! tables are statics inside the initialiser of the one public static, where their names cannot
+//! collide with others. `#[rustfmt::skip]` on it keeps a formatter from putting each number on a
+//! separate line.
 
 use std::fmt::{Display, Write as _};
 

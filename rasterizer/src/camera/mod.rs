@@ -1,4 +1,4 @@
-//! Where the viewer stands and how it sees.
+//! Where the viewer is and what it sees.
 //!
 //! A [`Camera`] looks along the -z axis of its own space, with y up and x to the right. It carries
 //! a projection ([`Perspective`] or [`Orthographic`]) and a viewport: the rectangle of the display
@@ -13,27 +13,26 @@ use crate::numbers::{Rotation, Turn, Vec3, cross, unit};
 
 /// The largest width and height of a viewport, in pixels.
 ///
-/// A vertex's place on the screen is kept within 1,024 pixels of the viewport's middle: the guard
-/// band.
+/// Vertices on the screen are within 1,024 pixels of the viewport's middle: the guard band.
 pub const MAX_VIEWPORT: u32 = 2048;
 
-/// The farthest that a viewport may lie from the display's origin, in pixels.
+/// The largest distance of a viewport from the display's origin along x or y, in pixels.
 pub const MAX_VIEWPORT_OFFSET: i32 = 16_384;
 
 /// What is wrong with a camera.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CameraError {
-    /// The field of view is 0, or half a turn and more.
+    /// The field of view is 0, or half a turn or more.
     FieldOfView,
     /// The focal length or the height of the view is 0.
     Magnification,
     /// The near plane is not in front of the camera, or the far plane is not behind the near plane.
     DepthRange,
-    /// The viewport is empty or larger than [`MAX_VIEWPORT`] either way.
+    /// The viewport is empty, or wider or higher than [`MAX_VIEWPORT`].
     ViewportSize,
     /// The viewport is farther than [`MAX_VIEWPORT_OFFSET`] from the display's origin.
     ViewportOffset,
-    /// The camera stands in the point that it looks at, or looks straight along its up direction.
+    /// The camera is at the point that it looks at, or looks along its up direction.
     Direction,
 }
 
@@ -71,8 +70,8 @@ impl<P> Camera<P> {
     ///
     /// # Errors
     ///
-    /// [`CameraError::Direction`] if that leaves no direction or no upwards, else what is wrong
-    /// with the viewport.
+    /// Returns [`CameraError::Direction`] if `target` is `eye` or if `up` is along the direction to
+    /// it, and [`CameraError::ViewportSize`] or [`CameraError::ViewportOffset`] for a bad viewport.
     pub fn look_at(
         eye: Vec3,
         target: Vec3,
@@ -83,7 +82,7 @@ impl<P> Camera<P> {
         let [e, t, up] = [eye, target, up].map(|v| v.to_bits().map(i64::from));
         let forward = unit(core::array::from_fn(|i| t[i] - e[i])).ok_or(CameraError::Direction)?;
         let up = unit(up).ok_or(CameraError::Direction)?;
-        // Within 2^-20 of parallel nothing is left of the cross product but rounding.
+        // Within 2^-20 of parallel the cross product is mostly rounding.
         let right = cross(forward, up).map(i64::from);
         if right.iter().all(|c| c.abs() < 1 << 10) {
             return Err(CameraError::Direction);
@@ -92,11 +91,11 @@ impl<P> Camera<P> {
         Self::new(eye, [right, cross(forward, right), forward], projection, viewport)
     }
 
-    /// A camera at `eye`, turned by `rotation` from looking along -z with y up.
+    /// A camera at `eye` that looks along -z with y up, turned by `rotation`.
     ///
     /// # Errors
     ///
-    /// What is wrong with the viewport.
+    /// Returns [`CameraError::ViewportSize`] or [`CameraError::ViewportOffset`].
     pub fn at(
         eye: Vec3,
         rotation: Rotation,
@@ -114,7 +113,7 @@ impl<P> Camera<P> {
     ///
     /// # Errors
     ///
-    /// What is wrong with the viewport.
+    /// Returns [`CameraError::ViewportSize`] or [`CameraError::ViewportOffset`].
     pub fn orbit(
         target: Vec3,
         distance: Distance,
@@ -145,7 +144,7 @@ impl<P> Camera<P> {
         Ok(Self { eye, axes, projection, viewport })
     }
 
-    /// Where the camera stands.
+    /// The camera's position.
     #[must_use]
     pub const fn eye(&self) -> Vec3 {
         self.eye

@@ -8,10 +8,10 @@ use crate::numbers::{Float, Turn};
 /// A length or a factor that cannot be negative: Q16.16, up to just under 65,536.
 pub type Distance = U16F16;
 
-/// A pinhole camera: what is twice as far away looks half as large.
+/// A pinhole camera: an object twice as far away looks half as large.
 ///
-/// Made in a constant, or in a block `const { .. }`, it leaves its divisions to the compiler: 250
-/// bytes less flash.
+/// Make it in a constant or in a block `const { .. }`, where the compiler does its divisions: that
+/// saves 250 bytes of flash.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Perspective {
     near: Distance,
@@ -21,7 +21,7 @@ pub struct Perspective {
     far_per_near: Float,
 }
 
-/// How large something as wide as it is far away appears.
+/// The size on the screen of an object as wide as it is far away.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Focal {
     /// In half heights of the viewport: the cotangent of half the vertical field of view.
@@ -30,12 +30,12 @@ enum Focal {
 }
 
 impl Perspective {
-    /// By the angle between the viewport's upper and lower edge, and the distances of the near and
-    /// far plane.
+    /// From the angle between the viewport's upper and lower edges, and the distances of the near
+    /// and far planes.
     ///
     /// # Errors
     ///
-    /// [`CameraError::FieldOfView`] or [`CameraError::DepthRange`].
+    /// Returns [`CameraError::FieldOfView`] or [`CameraError::DepthRange`].
     pub const fn new(
         vertical_field_of_view: Turn,
         near: Distance,
@@ -50,12 +50,12 @@ impl Perspective {
         Self::checked(Focal::HalfHeights(cotangent), near, far)
     }
 
-    /// By the focal length in pixels: something of one unit at a distance of one unit appears that
-    /// large.
+    /// From the focal length in pixels: the size on the screen of one unit at a distance of one
+    /// unit.
     ///
     /// # Errors
     ///
-    /// [`CameraError::Magnification`] or [`CameraError::DepthRange`].
+    /// Returns [`CameraError::Magnification`] or [`CameraError::DepthRange`].
     pub const fn with_focal_length(
         pixels: Distance,
         near: Distance,
@@ -71,7 +71,7 @@ impl Perspective {
         if !is_range(near, far) {
             return Err(CameraError::DepthRange);
         }
-        // Divided by here, as a lens is often a constant.
+        // The divisions are here because a lens is often a constant.
         let per_near = Float::from_unsigned(near).reciprocal();
         Ok(Self {
             near,
@@ -82,13 +82,13 @@ impl Perspective {
         })
     }
 
-    /// The distance of the near plane: nothing nearer is drawn, and depth is 1 there.
+    /// The distance of the near plane, where depth is 1. Nothing nearer is drawn.
     #[must_use]
     pub const fn near(&self) -> Distance {
         self.near
     }
 
-    /// The distance of the far plane: nothing beyond is drawn.
+    /// The distance of the far plane. Nothing beyond it is drawn.
     #[must_use]
     pub const fn far(&self) -> Distance {
         self.far
@@ -115,7 +115,7 @@ impl Perspective {
     }
 }
 
-/// A camera infinitely far away: size does not depend on distance.
+/// A parallel projection: size does not depend on distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Orthographic {
     height: Distance,
@@ -124,11 +124,11 @@ pub struct Orthographic {
 }
 
 impl Orthographic {
-    /// By the height of the view in world units, and the distances of the near and far plane.
+    /// From the height of the view in world units, and the distances of the near and far planes.
     ///
     /// # Errors
     ///
-    /// [`CameraError::Magnification`] or [`CameraError::DepthRange`].
+    /// Returns [`CameraError::Magnification`] or [`CameraError::DepthRange`].
     pub const fn new(height: Distance, near: Distance, far: Distance) -> Result<Self, CameraError> {
         if height.to_bits() == 0 {
             return Err(CameraError::Magnification);
@@ -139,13 +139,13 @@ impl Orthographic {
         Ok(Self { height, near, far })
     }
 
-    /// The distance of the near plane: nothing nearer is drawn, and depth is 1 there.
+    /// The distance of the near plane, where depth is 1. Nothing nearer is drawn.
     #[must_use]
     pub const fn near(&self) -> Distance {
         self.near
     }
 
-    /// The distance of the far plane: nothing beyond is drawn, and depth is 0 there.
+    /// The distance of the far plane, where depth is 0. Nothing beyond it is drawn.
     #[must_use]
     pub const fn far(&self) -> Distance {
         self.far
@@ -157,7 +157,7 @@ impl Orthographic {
         self.height
     }
 
-    /// How many pixels show one unit.
+    /// The length of one unit in pixels.
     pub(crate) const fn pixels_per_unit(&self, viewport_height: u32) -> Float {
         Float::new(viewport_height as i64, 0).times(Float::from_unsigned(self.height).reciprocal())
     }

@@ -7,13 +7,14 @@ use crate::{
 };
 
 /// [`Perspective`] or [`Orthographic`].
+#[expect(private_bounds, reason = "it is sealed")]
 pub trait Projection: Copy + core::fmt::Debug + Sealed {}
 
 impl Projection for Perspective {}
 impl Projection for Orthographic {}
 
 /// What a projection gives the transform.
-pub trait Sealed {
+pub(crate) trait Sealed {
     /// The projection in the units of one object's clip space.
     type Lens: Lens;
 
@@ -33,15 +34,15 @@ pub trait Sealed {
 
 /// The exponents of 2 of the units in which clip space counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Units {
+pub(crate) struct Units {
     /// Of x, y and w.
-    pub xy: i32,
+    pub(crate) xy: i32,
     /// Of z.
-    pub z: i32,
+    pub(crate) z: i32,
 }
 
 /// A projection at work on vertices in clip space.
-pub trait Lens: Copy + core::fmt::Debug {
+pub(crate) trait Lens: Copy + core::fmt::Debug {
     /// Whether w = 1 can be told from 0 in the units of clip space.
     fn is_in_range(&self) -> bool;
 
@@ -93,7 +94,7 @@ impl Sealed for Perspective {
 
 /// w = z; depth = near / z.
 #[derive(Clone, Copy, Debug)]
-pub struct PerspectiveLens {
+pub(crate) struct PerspectiveLens {
     /// The leading zeros of twice the near distance, or what they would be if it is less than a
     /// unit.
     down: u32,
@@ -166,7 +167,7 @@ impl Sealed for Orthographic {
 
 /// w = 1; depth = (far - z) / (far - near).
 #[derive(Clone, Copy, Debug)]
-pub struct OrthographicLens {
+pub(crate) struct OrthographicLens {
     w: i32,
     reciprocal: Reciprocal,
     far: i32,

@@ -6,13 +6,13 @@ use super::{Tables, Triangles};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum MeshError {
-    /// There is no vertex.
+    /// There are no vertices.
     NoVertices,
     /// There are more vertices than 16-bit indices can name.
     TooManyVertices,
-    /// There is no triangle.
+    /// There are no triangles.
     NoTriangles,
-    /// A triangle names a vertex that does not exist.
+    /// A triangle has the index of a vertex that does not exist.
     IndexOutOfRange {
         /// The triangle's place in the table, from 0.
         triangle: usize,
@@ -30,7 +30,7 @@ pub enum MeshError {
 }
 
 impl MeshError {
-    /// What is wrong and what to change, in one line.
+    /// A line that says what is wrong and what to change.
     #[must_use]
     pub const fn message(self) -> &'static str {
         match self {
@@ -67,7 +67,7 @@ impl core::fmt::Display for MeshError {
 
 impl core::error::Error for MeshError {}
 
-/// Checks everything that drawing relies on.
+/// Checks all that drawing relies on.
 pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
     let vertices = tables.positions.len();
     if vertices == 0 {
@@ -101,7 +101,7 @@ const fn is_empty_or(length: usize, partner: usize) -> bool {
     length == 0 || length == partner
 }
 
-/// `for` is not allowed in a `const fn`, hence the counted loops.
+/// The loops count because a `const fn` may not have `for`.
 const fn indices(triangles: &Triangles<'_>, vertices: usize) -> Result<(), MeshError> {
     let mut triangle = 0;
     while triangle < triangles.len() {

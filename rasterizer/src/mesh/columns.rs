@@ -39,17 +39,17 @@ impl<'a> Positions<'a> {
 }
 
 /// Unit normals of vertices or of triangles, in object space.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Normals<'a> {
-    /// No normals.
-    #[default]
-    None,
-    /// 8 bits a coordinate, 127 standing for 1: x, y and z. An empty table counts as none.
+    /// 8 bits a coordinate, 127 standing for 1: x, y and z. An empty table stands for none.
     I8(&'a [[i8; 3]]),
 }
 
 impl<'a> Normals<'a> {
+    /// No normals.
+    pub const NONE: Self = Self::I8(&[]);
+
     /// The number of normals.
     #[must_use]
     pub const fn len(&self) -> usize {
@@ -71,24 +71,19 @@ impl<'a> Normals<'a> {
 
     #[inline(always)]
     pub(super) const fn as_slice(&self) -> &'a [[i8; 3]] {
-        match *self {
-            Self::None => &[],
-            Self::I8(table) => table,
-        }
+        let Self::I8(table) = *self;
+        table
     }
 }
 
 /// Texture coordinates of vertices: u runs to the right and v downwards from the texture's top-left
 /// corner, and 1 is the width or the height of the texture.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum TextureCoordinates<'a> {
-    /// No texture coordinates.
-    #[default]
-    None,
     /// 16 bits a coordinate.
     U16 {
-        /// u and v in units of 2<sup>-`fraction_bits`</sup>. An empty table counts as none.
+        /// u and v in units of 2<sup>-`fraction_bits`</sup>. An empty table stands for none.
         table: &'a [[u16; 2]],
         /// How many of the 16 bits are behind the binary point: 0 to 16.
         fraction_bits: u8,
@@ -96,6 +91,9 @@ pub enum TextureCoordinates<'a> {
 }
 
 impl<'a> TextureCoordinates<'a> {
+    /// No texture coordinates.
+    pub const NONE: Self = Self::U16 { table: &[], fraction_bits: 16 };
+
     /// The number of vertices that have texture coordinates.
     #[must_use]
     pub const fn len(&self) -> usize {
@@ -115,23 +113,18 @@ impl<'a> TextureCoordinates<'a> {
         self.as_slice().get(index).copied()
     }
 
-    /// How many bits of a coordinate are behind the binary point: 0 to 16, and 0 without texture
-    /// coordinates.
+    /// How many bits of a coordinate are behind the binary point: 0 to 16.
     #[inline(always)]
     #[must_use]
     pub const fn fraction_bits(&self) -> u8 {
-        match *self {
-            Self::None => 0,
-            Self::U16 { fraction_bits, .. } => fraction_bits,
-        }
+        let Self::U16 { fraction_bits, .. } = *self;
+        fraction_bits
     }
 
     #[inline(always)]
     pub(super) const fn as_slice(&self) -> &'a [[u16; 2]] {
-        match *self {
-            Self::None => &[],
-            Self::U16 { table, .. } => table,
-        }
+        let Self::U16 { table, .. } = *self;
+        table
     }
 }
 

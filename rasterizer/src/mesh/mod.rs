@@ -19,7 +19,6 @@ pub use check::MeshError;
 pub use columns::{Normals, Positions, TextureCoordinates, Triangles};
 use embedded_graphics_core::pixelcolor::Rgb888;
 pub use material::MeshMaterial;
-pub(crate) use vertex::VertexColumns;
 pub use vertex::{MeshFace, MeshVertex, RequiredTables};
 
 use crate::numbers::{Scale, Vec3};
@@ -67,9 +66,9 @@ impl Tables<'_> {
         positions: Positions::I16(&[]),
         scale: Scale::ONE,
         offset: Vec3::ZERO,
-        vertex_normals: Normals::None,
-        face_normals: Normals::None,
-        texture_coordinates: TextureCoordinates::None,
+        vertex_normals: Normals::NONE,
+        face_normals: Normals::NONE,
+        texture_coordinates: TextureCoordinates::NONE,
         triangles: Triangles::U8(&[]),
         materials: &[],
     };
@@ -124,7 +123,8 @@ impl<'a> Mesh<'a> {
     ///
     /// # Panics
     ///
-    /// Panics if the tables are faulty. In a constant that is a compile error which names the fault.
+    /// Panics if the tables are faulty. In a constant that is a compile error which names the
+    /// fault.
     #[must_use]
     pub const fn new_const(tables: Tables<'a>) -> Self {
         match Self::new(tables) {

@@ -1,26 +1,27 @@
 //! Exact division of 64-bit numbers, without a 64-bit division routine.
 //!
-//! It is called rather than inlined, with 64-bit arithmetic at several places of every scene: it is
-//! for clipping, slivers and 32-bit depth.
+//! Clipping, slivers and 32-bit depth use it. It is called rather than inlined, because its 64-bit
+//! arithmetic would be in several places of every scene.
 
-use super::{narrow::IS_NARROW, reciprocal::Reciprocal};
+use super::{instructions::IS_NARROW, reciprocal::Reciprocal};
 
 /// A positive divisor.
 ///
-/// Where there is a long multiply, with its reciprocal: each step takes off what the reciprocal of
-/// the divisor's upper 32 bits says and keeps the exact remainder, as in long division with digits
-/// of 26 bits. Elsewhere a step takes off one bit: two or three times as long, and 430 bytes less.
+/// Cores with a long multiply divide by the reciprocal: each step estimates a digit of 26 bits from
+/// the reciprocal of the divisor's upper 32 bits and keeps the exact remainder, as in long
+/// division. Other cores divide bit by bit, which takes two or three times as long and 430 bytes
+/// less.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Divisor {
     value: u64,
-    /// 0 where nobody reads it, like the mantissa.
+    /// 0 on cores that do not read it, like the mantissa.
     leading_zeros: u32,
     /// Not above 2^62 / (the upper 32 bits of the normalised value).
     mantissa: u32,
 }
 
 impl Divisor {
-    /// A divisor; 0 is taken as 1.
+    /// A divisor; 0 counts as 1.
     #[inline(always)]
     pub(crate) const fn new(value: u64) -> Self {
         if IS_NARROW {
@@ -39,7 +40,7 @@ impl Divisor {
         Self {
             value,
             leading_zeros,
-            // Less its own error of 2^-27 and the 2^-31 of the bits cut off below `upper`.
+            // Lowered by its own error of 2^-27 and by 2^-31 for the bits below `upper`.
             mantissa: mantissa - (mantissa >> 26),
         }
     }
@@ -101,16 +102,11 @@ impl Divisor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     #[test]
     fn equals_division() {
-        let mut random: u64 = 88_172_645_463_325_252;
-        let mut next = || {
-            random ^= random << 13;
-            random ^= random >> 7;
-            random ^= random << 17;
-            random
-        };
+        let mut random = Random::new(88_172_645);
         let check = |n: i64, d: u64| {
             let want = (n.div_euclid(d as i64), n.rem_euclid(d as i64));
             assert_eq!(Divisor::new(d).divide(n), want, "{n} / {d}");
@@ -124,7 +120,7 @@ mod tests {
             }
         }
         for _ in 0..1_000_000 {
-            let (a, b, s) = (next(), next(), next());
+            let (a, b, s) = (random.bits(), random.bits(), random.bits());
             let n = (a >> 2 >> (s % 62)) as i64;
             let d = (b >> 2 >> (s / 62 % 62)).max(1);
             check(n, d);

@@ -1,9 +1,9 @@
-//! Numbers of any magnitude with 31 bits of precision, for what is worked out once a frame:
+//! Numbers of any magnitude with 31 bits of precision, for what is computed once per frame:
 //! matrices and planes.
 //!
-//! No vertex and no pixel sees them, so that they are functions that are called rather than
-//! inlined: 2 KB less flash. They let a scene measure a thousandth of a unit or ten thousand, and
-//! still hand the vertex loop integers that use all their bits.
+//! No loop over vertices or pixels uses them, so their functions are called rather than inlined,
+//! which saves 2 KB of flash. With them a scene may measure a thousandth of a unit or ten thousand
+//! units, and the vertex loop still gets integers that use all their bits.
 
 use fixed::types::U16F16;
 
@@ -12,13 +12,13 @@ use super::{Scale, reciprocal::Reciprocal};
 /// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or
 /// [`ZERO`](Self::ZERO).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Float {
+pub(crate) struct Float {
     pub(crate) mantissa: i32,
     pub(crate) exponent: i32,
 }
 
 impl Float {
-    /// Less than any other, so that it has no part in the unit of a sum.
+    /// Its exponent is less than any other's, so that it does not determine the unit of a sum.
     pub(crate) const ZERO: Self = Self { mantissa: 0, exponent: -100_000 };
 
     /// `value * 2^exponent`, rounded to 31 bits.
@@ -27,8 +27,7 @@ impl Float {
         if value == 0 {
             return Self::ZERO;
         }
-        // The top bit goes to the top step by step: a routine that counts zeros and one that shifts
-        // are more code.
+        // A loop moves the top bit to the top: routines that count zeros and shift are more code.
         let mut magnitude = value.unsigned_abs();
         let mut exponent = exponent + 33;
         if magnitude >> 32 == 0 {
@@ -59,15 +58,15 @@ impl Float {
         Self::new(self.mantissa as i64 * other.mantissa as i64, self.exponent + other.exponent)
     }
 
-    /// The sum, within 1.5 x 2<sup>-30</sup> of the larger magnitude: half a unit of it for what
-    /// the other has below, and one where the sum has a bit more.
+    /// The sum, within 1.5 x 2<sup>-30</sup> of the larger magnitude: half a unit of it for the
+    /// bits of the other that are below, and one where the sum has a bit more.
     pub(crate) fn plus(self, other: Self) -> Self {
         let unit = self.exponent.max(other.exponent);
         let sum = i64::from(self.in_units_of(unit)) + i64::from(other.in_units_of(unit));
         Self::new(sum, unit)
     }
 
-    /// 1 / self, of a positive number, within 2<sup>-29</sup>.
+    /// The reciprocal of a positive number, within 2<sup>-29</sup>.
     #[inline(never)]
     pub(crate) const fn reciprocal(self) -> Self {
         let value = self.mantissa.unsigned_abs();

@@ -1,8 +1,8 @@
 //! Numbers from code that computes in `f32`: sensor fusion, a filter, an animation.
 //!
-//! `micromath` is what such code uses on a microcontroller. Its approximations (0.1 % and worse)
-//! end here: a quaternion becomes a rotation whose rows are orthonormal to the last bits, whatever
-//! its length was.
+//! Such code uses `micromath` on a microcontroller. Its approximations (0.1 % and worse) do not get
+//! into a rotation: a quaternion of any length becomes one whose rows are orthonormal to the last
+//! bits.
 
 use fixed::types::I2F30;
 use micromath::{F32Ext, Quaternion, vector::F32x3};
@@ -10,11 +10,11 @@ use micromath::{F32Ext, Quaternion, vector::F32x3};
 use super::{Rotation, Scalar, Turn, Vec3, root::inverse_square_root};
 
 impl Turn {
-    /// From radians; what is not finite counts as no turn at all. Exact to the 24 bits of an `f32`.
+    /// From radians, exact to the 24 bits of an `f32`. Infinities and NaN become [`Turn::ZERO`].
     #[must_use]
     pub fn from_radians(radians: f32) -> Self {
         let turns = radians * core::f32::consts::FRAC_1_PI * 0.5;
-        // From 2^23 turns on an f32 has no fraction left.
+        // From 2^23 turns on an f32 has no fraction.
         if F32Ext::abs(turns) < 8_388_608.0 {
             let fraction = turns - F32Ext::floor(turns);
             Self::from_bits((fraction * 4_294_967_296.0) as u64 as u32)
@@ -25,7 +25,7 @@ impl Turn {
 }
 
 impl Vec3 {
-    /// Rounded to 65,536ths and clamped to the range; nothing if a coordinate is not a number.
+    /// Rounds to 65,536ths and clamps to the range. Returns `None` if a coordinate is not a number.
     #[must_use]
     pub fn from_f32(v: F32x3) -> Option<Self> {
         let scalar = |c: f32| (!c.is_nan()).then(|| Scalar::saturating_from_num(c));
@@ -34,7 +34,7 @@ impl Vec3 {
 }
 
 impl Rotation {
-    /// The rotation of a quaternion of any length; nothing if it is zero or not finite.
+    /// The rotation of a quaternion of any length. Returns `None` if it is zero or not finite.
     #[must_use]
     pub fn from_quaternion(quaternion: Quaternion) -> Option<Self> {
         let parts = [quaternion.w(), quaternion.x(), quaternion.y(), quaternion.z()];
@@ -89,7 +89,7 @@ mod tests {
         }
     }
 
-    /// A quaternion's length must not matter: three of lengths 1, 1e-20 and 1e20 give the rotation
+    /// The length of a quaternion does not matter: lengths of 1, 1e-20 and 1e20 give the rotation
     /// about y by 90 degrees.
     #[test]
     fn quaternions_of_any_length_become_orthonormal() {

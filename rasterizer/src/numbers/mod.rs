@@ -1,33 +1,33 @@
-//! The numbers everything else is made of: Q formats, vectors, rotations, and the kernels behind
-//! them.
+//! Numbers for all other modules: Q formats, vectors, rotations, and the kernels behind them.
 //!
 //! | type | format | for |
 //! |---|---|---|
 //! | [`Scalar`] | Q16.16 | world coordinates |
 //! | [`Turn`] | Q0.32 turns | angles |
-//! | [`Rotation`] | Q2.30 | matrices of length-one rows |
+//! | [`Rotation`] | Q2.30 | matrices whose rows have length one |
 //! | [`Scale`] | 32-bit mantissa, exponent | the length of a mesh's quantum |
 //!
-//! Errors of the kernels, each tested: reciprocal 2<sup>-27</sup> of its value over all mantissas,
-//! inverse square root 2<sup>-28</sup>, sine and cosine 2<sup>-28</sup>, rotations orthonormal to
-//! 2<sup>-26</sup>.
+//! The kernels have these errors, and tests check them: the reciprocal 2<sup>-27</sup> of its value
+//! over all mantissas, the inverse square root 2<sup>-28</sup>, sine and cosine 2<sup>-28</sup>.
+//! Rotations are orthonormal within 2<sup>-26</sup>.
 
 pub(crate) mod codegen;
 mod divide;
 mod float;
+mod instructions;
 mod interchange;
-mod narrow;
 mod reciprocal;
 mod root;
 mod rotation;
 mod scale;
+mod software;
 mod subpixel;
 mod turn;
 mod vector;
 
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
-pub(crate) use narrow::{
+pub(crate) use instructions::{
     HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high,
     mul_high_unsigned, mul_q30, normalised, saturate,
 };

@@ -1,13 +1,14 @@
 //! The reciprocal of a positive integer, from a table and two Newton steps.
 //!
-//! A core without a divide instruction needs some 25 instructions for it, one with a divider no
-//! more than the divider would take for the same precision. All cores compute the same bits.
+//! A core without a divide instruction needs some 25 instructions for it. On a core with a divider
+//! it takes no longer than the divider would for the same precision. All cores compute the same
+//! bits.
 
-use super::narrow::{mul_high_unsigned, normalised};
+use super::instructions::{mul_high_unsigned, normalised};
 
 /// 1 / value as `mantissa * 2^(leading_zeros - 62)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Reciprocal {
+pub(crate) struct Reciprocal {
     /// 2<sup>62</sup> / (value << `leading_zeros`), from 2<sup>30</sup> to 2<sup>31</sup> - 1.
     ///
     /// Its relative error is below 2<sup>-27</sup>.
@@ -31,7 +32,7 @@ const SEED: [u8; 128] = {
 };
 
 impl Reciprocal {
-    /// 2<sup>-27</sup>; the largest that occurs, over all mantissas, is 2<sup>-27.3</sup>.
+    /// The largest error over all mantissas is 2<sup>-27.3</sup>.
     #[cfg(test)]
     pub(crate) const MAX_RELATIVE_ERROR: f64 = 1.0 / (1u64 << 27) as f64;
 
@@ -43,11 +44,11 @@ impl Reciprocal {
     }
 
     /// The mantissa after one more Newton step in 64 bits: within 2<sup>-30</sup>, for what is
-    /// worked out once a frame.
+    /// computed once per frame.
     pub(crate) const fn refined_mantissa(self, value: u32) -> i32 {
         let normalised = (value << self.leading_zeros) as i64;
         let mantissa = self.mantissa as i64;
-        // 1 - m r in Q62, below 2^-27 of it: 32 bits of it are enough for a correction of 27 bits.
+        // 1 - m r in Q62, below 2^-27 of it: 32 bits are enough for a correction of 27 bits.
         let error = (1i64 << 62) - normalised * mantissa;
         let refined = mantissa + ((mantissa * (error >> 30)) >> 32);
         if refined > i32::MAX as i64 { i32::MAX } else { refined as i32 }
@@ -67,7 +68,7 @@ const fn mantissa(m: u32) -> i32 {
     // 1 - m r1 in Q28, at most 2^-14.2: the product with r1 fits 32 bits.
     let error = ((1u32 << 31).wrapping_sub(product) as i32) >> 3;
     // r2 = r1 + r1 (1 - m r1): Q30, and Q15 x Q28 >> 13 = Q30.
-    // A Newton step ends below the reciprocal, so that the largest, that of 2^31, stays below 2^31.
+    // A Newton step gives less than the reciprocal, so the largest, that of 2^31, is below 2^31.
     (r1 << 15) as i32 + ((r1 as i32 * error) >> 13)
 }
 

@@ -1,7 +1,7 @@
-//! The inverse square root, from a table and three Newton steps, and what it is for: unit vectors.
+//! The inverse square root, from a table and three Newton steps, and unit vectors, which use it.
 
 /// The inverse square root in the middle of each of 128 intervals of [0, 1), in 256ths, less 256.
-/// Those below 1/4 are never looked up: with them 7 bits are an index that needs no check.
+/// Entries below 1/4 are never read: they make any 7 bits an index in range.
 const SEED: [u8; 128] = {
     let mut seed = [0; 128];
     let mut interval = 32;
@@ -15,11 +15,11 @@ const SEED: [u8; 128] = {
     seed
 };
 
-/// 1 / √`value` as `(mantissa, exponent)`, standing for `mantissa * 2^exponent`.
+/// 1 / √`value` as `(mantissa, exponent)`, which stand for `mantissa * 2^exponent`.
 ///
-/// The mantissa lies from 2<sup>30</sup> to 2<sup>31</sup>, and its relative error is below
-/// 2<sup>-28</sup>: the table's 2<sup>-6.8</sup> becomes 1.5 e<sup>2</sup> at each step until the
-/// 30 bits of the arithmetic are used up. The root of 0 is taken as that of 1.
+/// The mantissa is from 2<sup>30</sup> to 2<sup>31</sup>, and its relative error is below
+/// 2<sup>-28</sup>: each step turns an error e, 2<sup>-6.8</sup> from the table, into 1.5
+/// e<sup>2</sup>, down to the limit of 30-bit arithmetic. 0 counts as 1.
 pub(crate) const fn inverse_square_root(value: u64) -> (u32, i32) {
     let value = if value == 0 { 1 } else { value };
     // Normalised by an even shift to m / 2^32 in [1/4, 1).
@@ -42,7 +42,7 @@ const fn mantissa(m: u64) -> u32 {
     y as u32
 }
 
-/// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>; nothing
+/// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>, or `None`
 /// for a zero vector.
 #[inline(never)]
 pub(crate) const fn unit(v: [i64; 3]) -> Option<[i32; 3]> {

@@ -8,9 +8,9 @@ use super::{Scalar, Turn, Vec3, root::unit};
 
 /// A rotation: a matrix in Q30 that multiplies column vectors from the left.
 ///
-/// Its rows stay orthonormal within 2<sup>-26</sup>. Each product of two rotations may add
-/// 2<sup>-29</sup> to that: after some hundred products one calls
-/// [`orthonormalized`](Self::orthonormalized).
+/// Its rows are orthonormal within 2<sup>-26</sup>. Each product of two rotations may add
+/// 2<sup>-29</sup> to that: call [`orthonormalized`](Self::orthonormalized) every hundred products
+/// or so.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rotation {
     rows: [[I2F30; 3]; 3],
@@ -30,7 +30,7 @@ impl Rotation {
     pub const IDENTITY: Self =
         Self::from_rows([[ONE, ZERO, ZERO], [ZERO, ONE, ZERO], [ZERO, ZERO, ONE]]);
 
-    /// From the rows of its matrix, which the caller knows to be orthonormal.
+    /// From the rows of its matrix, which must be orthonormal.
     #[must_use]
     pub const fn from_rows(rows: [[I2F30; 3]; 3]) -> Self {
         Self { rows }
@@ -74,7 +74,7 @@ impl Rotation {
         Self::from_rows(core::array::from_fn(|i| core::array::from_fn(|j| self.rows[j][i])))
     }
 
-    /// The rotated vector, rounded; it saturates at the ends of the range.
+    /// Rotates a vector. The result is rounded and saturates at the ends of the range.
     #[must_use]
     pub fn apply(&self, v: Vec3) -> Vec3 {
         Vec3::from_bits(self.to_bits().map(|row| {
@@ -83,8 +83,8 @@ impl Rotation {
         }))
     }
 
-    /// A direction in Q30 turned by the inverse, rounded: the product of a row of numbers, on the
-    /// left, and this matrix. Matrices are made of it, once a frame: a function that is called.
+    /// A direction in Q30 turned by the inverse rotation, rounded: the product of a row vector and
+    /// this matrix. It is not inlined: it makes matrices, once per frame.
     #[inline(never)]
     pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
         let mut turned = [0; 3];
@@ -99,8 +99,8 @@ impl Rotation {
         turned
     }
 
-    /// The nearest directions at right angles of length one: the first row keeps its direction, the
-    /// second its plane with the first (Gram and Schmidt).
+    /// Makes the rows orthonormal again (Gram and Schmidt): the first row keeps its direction, and
+    /// the second its plane with the first.
     #[must_use]
     pub fn orthonormalized(&self) -> Self {
         let [x, y, _] = self.rows.map(|row| row.map(|c| i64::from(c.to_bits())));
@@ -125,7 +125,7 @@ pub(crate) fn cross(a: [i32; 3], b: [i32; 3]) -> [i32; 3] {
     })
 }
 
-/// First the right one, then the left one.
+/// The product applies the right rotation first, then the left one.
 impl Mul for Rotation {
     type Output = Self;
 
@@ -148,22 +148,23 @@ impl Mul<Vec3> for Rotation {
 }
 
 impl Vec3 {
-    /// The scalar product with a direction in Q30, exactly, in Q46. A function that is called.
+    /// The scalar product with a direction in Q30, exact, in Q46. It is not inlined: matrices use
+    /// it, once per frame.
     #[inline(never)]
     pub(crate) fn along(&self, direction: &[i32; 3]) -> i64 {
         let products = self.to_bits().into_iter().zip(direction);
         products.map(|(c, &d)| i64::from(c) * i64::from(d)).sum()
     }
 
-    /// The direction of this vector with length one, or nothing for the zero vector. Within
-    /// 2<sup>-16</sup>.
+    /// The vector of length one in this direction, within 2<sup>-16</sup>, or `None` for the zero
+    /// vector.
     #[must_use]
     pub fn normalized(self) -> Option<Self> {
         unit(self.to_bits().map(i64::from))
             .map(|u| Self::from_bits(u.map(|c| (c + (1 << 13)) >> 14)))
     }
 
-    /// The length, rounded down; it saturates at the end of the range.
+    /// The length, rounded down. It saturates at the end of the range.
     #[must_use]
     pub fn length(self) -> Scalar {
         let squares: u64 = self.to_bits().iter().map(|&c| u64::from(c.unsigned_abs()).pow(2)).sum();

@@ -2,8 +2,8 @@
 
 /// `mantissa * 2^exponent`.
 ///
-/// A model may measure a thousandth of a unit or a million: the length of one quantum of its tables
-/// needs more range than a fixed-point number has, and keeps 32 bits of precision in this form.
+/// A model may measure a thousandth of a unit or a million units: the length of one quantum of its
+/// tables needs more range than a fixed-point number has. This form keeps 32 bits of precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Scale {
     mantissa: u32,
@@ -11,15 +11,14 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// One unit a quantum.
+    /// One unit per quantum.
     pub const ONE: Self = Self::new(1, 0);
 
     /// `mantissa * 2^exponent`, normalised so that the mantissa's top bit is set.
     ///
     /// # Panics
     ///
-    /// If the mantissa is 0, or the exponent is so extreme that no model can have it (beyond
-    /// ±1,000).
+    /// Panics if the mantissa is 0, or the exponent is beyond ±1,000, which no model needs.
     #[must_use]
     pub const fn new(mantissa: u32, exponent: i32) -> Self {
         assert!(mantissa != 0, "a scale of 0 leaves nothing to draw");

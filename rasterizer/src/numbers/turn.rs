@@ -20,7 +20,7 @@ use super::mul_q30;
 pub struct Turn(u32);
 
 impl Turn {
-    /// No turn at all.
+    /// No turn.
     pub const ZERO: Self = Self(0);
     /// A quarter of a turn, 90 degrees.
     pub const QUARTER: Self = Self(1 << 30);
@@ -103,7 +103,8 @@ const SINE: [i32; 6] = [1_686_629_713, -693_598_666, 85_569_282, -5_026_892, 172
 /// The sine of `turns` / 2^32 of a turn, in Q30.
 #[inline(never)]
 const fn sine(turns: u32) -> i32 {
-    // Half turns in Q31, folded at the quarters, where the sine is symmetric: quarter turns in Q30.
+    // Half turns in Q31 are quarter turns in Q30. They are folded at the quarters, where the sine
+    // is symmetric.
     let half_turns = turns as i32;
     let x = if half_turns > 1 << 30 || half_turns < -(1 << 30) {
         (1u32 << 31).wrapping_sub(turns) as i32
@@ -131,7 +132,7 @@ const fn sine(turns: u32) -> i32 {
 mod tests {
     use super::*;
 
-    /// Steps of 4,099 visit a million angles, with every remainder of the folding and rounding.
+    /// Steps of 4,099 visit a million angles and every remainder of folding and rounding.
     #[test]
     fn sine_and_cosine_are_within_their_bound() {
         for bits in (0..=u32::MAX).step_by(4099) {

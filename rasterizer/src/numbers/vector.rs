@@ -36,14 +36,13 @@ impl Vec3 {
 
     /// From decimal text, at compile time: `const EYE: Vec3 = Vec3::lit("0", "1.5", "-4");`
     ///
-    /// In a constant, or in a block `const { .. }`, the text is gone when the firmware is linked.
-    /// Anywhere else the firmware may have to read it, and takes 3.6 KB of code along to do so.
-    /// The same goes for `lit` of [`Scalar`], [`Distance`](crate::camera::Distance) and
-    /// [`Level`](crate::shade::Level).
+    /// Call it in a constant or in a block `const { .. }`, where the compiler reads the text.
+    /// Elsewhere the firmware may have to read it, with 3.6 KB of code. The same goes for `lit` of
+    /// [`Scalar`], [`Distance`](crate::camera::Distance) and [`Level`](crate::shade::Level).
     ///
     /// # Panics
     ///
-    /// If a text is no number or out of range; in a constant that is a compile error.
+    /// Panics if a text is not a number or is out of range. In a constant that is a compile error.
     #[must_use]
     pub const fn lit(x: &str, y: &str, z: &str) -> Self {
         Self::new(Scalar::lit(x), Scalar::lit(y), Scalar::lit(z))

@@ -18,7 +18,7 @@ use crate::{
         ClipVertex, Clipping, Culling, MAX_CORNERS, PoseError, Projection, ScreenVertex, Transform,
         clip,
     },
-    mesh::{MeshFace, MeshMaterial, MeshVertex, Tables, VertexColumns},
+    mesh::{MeshFace, MeshMaterial, MeshVertex, Tables},
     numbers::{Subpixel, codegen},
     output::{Blending, Target},
     raster::{Gradients, Triangle, Window, first_center, signed_area},
@@ -272,14 +272,14 @@ where
             return Ok(());
         }
         let table = self.tables.triangles;
-        let columns = VertexColumns::new(self.tables);
         // Cut to the table here, where compilers see that no index of the run lies beyond it.
         for index in order.indices(run.start..run.end.min(table.len()), reach) {
             let Some(indices) = table.get(index) else {
                 break;
             };
-            let place =
-                |index| on_screen(&self.shader, &self.transform, &MeshVertex::new(&columns, index));
+            let place = |index| {
+                on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
+            };
             let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
@@ -325,9 +325,9 @@ where
     #[inline(never)]
     fn is_triangle_outside_view(&self, index: usize) -> bool {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
-        let columns = VertexColumns::new(self.tables);
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
-            bits & self.transform.beyond(MeshVertex::new(&columns, index).position(), self.size())
+            let position = self.tables.positions.get(index).unwrap_or_default();
+            bits & self.transform.beyond(position, self.size())
         });
         beyond_all != 0
     }
@@ -338,9 +338,8 @@ where
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
-        let columns = VertexColumns::new(self.tables);
         let triangle = indices.into_iter().map(|index| {
-            let vertex = MeshVertex::new(&columns, index);
+            let vertex = MeshVertex::new(self.tables, index);
             let [x, y, z] = self.transform.object_to_clip_outlined(vertex.position());
             let varyings = self.shader.vertex(&vertex);
             ClipVertex { x, y, z, varyings }
@@ -374,7 +373,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
 ) {
     let count = vertices.len();
-    let Some(columns) = VertexColumns::new(tables).first(count, Sh::TABLES) else {
+    let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
         return;
     };
     // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
@@ -383,7 +382,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        *vertex = on_screen(shader, &transform, &MeshVertex::new(&columns, index));
+        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
     }
 }
 
