@@ -1,10 +1,10 @@
 //! Figures of several cores: how they are measured, saved, and shown as Markdown. The terminal and
 //! `RESULTS.md` show the same.
 
-use std::fmt::Display;
+use std::{fmt::Display, fs, io::ErrorKind};
 
-use anyhow::Result;
-use host_tools::model::thousands;
+use anyhow::{Context as _, Result};
+use host_tools::model::{thousands, write_atomically};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
 use crate::{conditions::Conditions, cores::Core, firmware, progress, qemu, results, table::Table};
@@ -86,14 +86,22 @@ impl<T: Figures> PerCore<T> {
         Ok(Self { cores: cores.iter().map(of_core).collect::<Result<_>>()? })
     }
 
-    /// Reads the saved figures. There are none if there is no file.
+    /// Reads the saved figures. Without the file there are none.
     pub(crate) fn saved() -> Result<Self> {
-        results::load(T::FILE)
+        let path = results::file(T::FILE);
+        let text = match fs::read_to_string(&path) {
+            Err(error) if error.kind() == ErrorKind::NotFound => return Ok(Self::default()),
+            text => text.with_context(|| path.display().to_string())?,
+        };
+        serde_json::from_str(&text).with_context(|| {
+            format!("{} does not hold figures of this kind: remove or restore it", path.display())
+        })
     }
 
     /// Saves these figures beside those of other cores, and renders `RESULTS.md`.
     pub(crate) fn save(self) -> Result<()> {
-        results::save(T::FILE, &Self::saved()?.with(self))?;
+        let text = serde_json::to_string_pretty(&Self::saved()?.with(self))? + "\n";
+        write_atomically(&results::file(T::FILE), text)?;
         results::render()
     }
 

@@ -76,10 +76,12 @@ impl Image {
             .and_then(|section| section.data().ok()?.first_chunk::<4>().copied())
             .context("the program has no vector table")?;
         let symbols = symbols(&file);
+        let tables = symbols.iter().filter(|symbol| symbol.is_of_a_model());
+        let tables: BTreeMap<_, _> = tables.map(|table| (table.address, table.size)).collect();
         ensure!(!symbols.is_empty(), "the program has no symbols: its profile must not strip them");
         Ok(Self {
             flash,
-            models: bytes_of_models(&symbols),
+            models: tables.values().sum(),
             statics: statics.unwrap_or_default(),
             stack_top: u32::from_le_bytes(vectors),
             symbols,
@@ -128,12 +130,6 @@ fn symbols(file: &File<'_>) -> Vec<Symbol> {
         .collect();
     symbols.sort_by(|a, b| (b.size, &a.name).cmp(&(a.size, &b.name)));
     symbols
-}
-
-fn bytes_of_models(symbols: &[Symbol]) -> u32 {
-    let tables = symbols.iter().filter(|symbol| symbol.is_of_a_model());
-    let by_address: BTreeMap<u32, u32> = tables.map(|table| (table.address, table.size)).collect();
-    by_address.values().sum()
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@
 use std::{
     fs,
     io::{BufRead as _, BufReader, Write as _},
-    path::{Path, PathBuf},
+    path::Path,
     process::{Child, Command, Stdio},
     sync::mpsc::{self, Receiver, RecvTimeoutError},
     thread,
@@ -52,25 +52,22 @@ pub(crate) fn run(core: Core, program: &Path, image: &Image) -> Result<Run> {
     let bottom = image.statics.end.next_multiple_of(4);
     let free = image.stack_top.checked_sub(bottom);
     let free = free.context("the statics leave no room for a stack")? as usize;
-    let (paint, memory) = (beside(program, "paint"), beside(program, "memory"));
+    let [paint, memory] = ["paint", "memory"].map(|extension| program.with_extension(extension));
     fs::write(&paint, painted(free))
         .with_context(|| format!("{} cannot be written", paint.display()))?;
 
     let mut machine = Machine::start(core, program, &paint, bottom)?;
     machine.execute("cont", &json!({}))?;
-    let ended = machine.wait_for("STOP");
-    ended.with_context(|| {
-        format!(
-            "{} did not end on {}: it panics or is in an endless loop",
-            program.display(),
-            core.title()
-        )
+    machine.next(|value| value["event"] == "STOP").with_context(|| {
+        let (program, core) = (program.display(), core.title());
+        format!("{program} did not end on {core}: it panics or is in an endless loop")
     })?;
     let start = image.statics.start;
     let size = image.stack_top - start;
     let arguments = json!({ "val": start, "size": size, "filename": memory });
     machine.execute("pmemsave", &arguments)?;
-    machine.end()?;
+    machine.execute("quit", &json!({}))?;
+    machine.process.wait()?;
 
     let ram = fs::read(&memory).with_context(|| format!("{} cannot be read", memory.display()))?;
     for file in [paint, memory] {
@@ -96,10 +93,6 @@ fn used(memory: &[u8]) -> usize {
     let words = memory.chunks_exact(4);
     let intact = words.take_while(|word| **word == PAINT.to_le_bytes()).count();
     memory.len() - 4 * intact
-}
-
-fn beside(program: &Path, extension: &str) -> PathBuf {
-    program.with_extension(extension)
 }
 
 /// A running QEMU and its QMP connection: lines of JSON on its standard input and output (QEMU,
@@ -157,10 +150,6 @@ impl Machine {
         }
     }
 
-    fn wait_for(&self, event: &str) -> Result<()> {
-        self.next(|value| value["event"] == event).map(drop)
-    }
-
     /// Waits for a message of a kind and skips others.
     fn next(&self, is_it: impl Fn(&Value) -> bool) -> Result<Value> {
         let end = Instant::now() + PATIENCE;
@@ -174,12 +163,6 @@ impl Machine {
                 Err(RecvTimeoutError::Disconnected) => bail!("QEMU has ended"),
             }
         }
-    }
-
-    fn end(mut self) -> Result<()> {
-        self.execute("quit", &json!({}))?;
-        self.process.wait()?;
-        Ok(())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::figures::{Key, Scene, Speed};
+use super::scene::{Key, Scene, Speed};
 use crate::{
     cores::Core,
     figures::count,
@@ -91,7 +91,7 @@ pub(super) fn report(before: &Speed, now: &Speed, compared: usize, changes: &[Ch
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::speed::figures::tests::{cells, speed};
+    use crate::speed::scene::tests::{cells, speed};
 
     #[test]
     fn only_changes_beyond_the_threshold_count() {

@@ -1,6 +1,6 @@
 //! The targets of the project, and the figures of the best other renderer.
 
-use super::figures::{Key, Scene};
+use super::scene::{Key, Scene};
 use crate::cores::Core;
 
 /// Instructions for a frame.
@@ -50,7 +50,7 @@ pub(super) fn of(core: Core, key: &Key) -> Option<Goal> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::speed::figures::tests::speed;
+    use crate::speed::scene::tests::speed;
 
     #[test]
     fn a_goal_is_for_one_core_and_precision() {

@@ -1,15 +1,15 @@
 //! The command `speed`: counts the instructions of the bench scenes' frames on each core.
 
 mod compare;
-mod figures;
 mod goals;
+mod scene;
 
 use std::{env, fmt::Write as _};
 
 use anyhow::{Result, bail};
 use clap::Args;
 use compare::Change;
-pub(crate) use figures::Speed;
+pub(crate) use scene::Speed;
 
 use crate::{Done, cores::Core, figures::PerCore};
 
