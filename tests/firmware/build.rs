@@ -1,4 +1,4 @@
-//! Turns OBJ files into const tables, as the build script of any firmware does.
+//! Converts OBJ files to const tables, as the build script of any firmware does.
 
 use std::{
     env,
@@ -21,17 +21,24 @@ fn main() -> Result<(), Box<dyn Error>> {
         )?;
     }
 
-    // The bench scenes: two bodies that are a formula, and two models that are not the project's
-    // own.
-    fs::write(out.join("cube.obj"), cube())?;
-    fs::write(out.join("sphere.obj"), sphere(24, 13)?)?;
-    convert_for_build(out.join("cube.obj"), &options)?;
-    convert_for_build(out.join("sphere.obj"), &options)?;
+    // The bench scenes draw the cube and the sphere, the size scenes also the ball of 500
+    // triangles.
+    let bodies = [
+        ("cube.obj", CUBE.to_owned()),
+        ("sphere.obj", sphere(24, 13)?),
+        ("ball.obj", sphere(25, 11)?),
+    ];
+    for (name, obj) in bodies {
+        fs::write(out.join(name), obj)?;
+        convert_for_build(out.join(name), &options)?;
+    }
+
+    // Models that do not come with the project.
     println!("cargo::rustc-check-cfg=cfg(models)");
     println!("cargo::rerun-if-env-changed=RASTERIZER_MODELS");
     if let Some(folder) = env::var_os("RASTERIZER_MODELS") {
-        // Smooth all over, so that it has one vertex for each of the file's, as the rivals' figures
-        // do.
+        // Smooth everywhere, for one vertex for each of the file's, as in the figures of the
+        // rivals.
         let smooth = Options { crease_degrees: 180.0, ..options };
         for name in ["spot", "suzanne"] {
             convert_for_build(Path::new(&folder).join(name).with_extension("obj"), &smooth)?;
@@ -39,42 +46,43 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("cargo::rustc-cfg=models");
     }
 
-    sizes(&out)?;
     println!("cargo::rustc-env=OPT_LEVEL={}", env::var("OPT_LEVEL")?);
     link()
 }
 
-/// Where the board that QEMU runs the programs on has its memory. Cortex-M programs have that of
-/// `memory.x`, an RP2040's, unless they need more or the board has it elsewhere.
+/// Sets the memory of the board in QEMU. Cortex-M programs have that of `memory.x`, an RP2040's,
+/// unless they need more or the board has it elsewhere.
 fn link() -> Result<(), Box<dyn Error>> {
     if env::var("CARGO_CFG_TARGET_OS")? != "none" {
         return Ok(());
     }
     let target = env::var("TARGET")?;
+    let arg = |arg: &str| {
+        println!("cargo::rustc-link-arg-bins={arg}\ncargo::rustc-link-arg-examples={arg}");
+    };
     if target.starts_with("riscv32") {
         let boards = Path::new(&env::var("CARGO_MANIFEST_DIR")?).join("boards");
         println!("cargo::rerun-if-changed=boards/virt.x");
-        println!("cargo::rustc-link-arg-bins=-T{}", boards.join("virt.x").display());
+        arg(&format!("-T{}", boards.join("virt.x").display()));
     } else {
         println!("cargo::rerun-if-changed=../../memory.x");
         if target.starts_with("thumbv8m") {
-            println!("cargo::rustc-link-arg-bins=--defsym=_flash=0x10000000");
-            println!("cargo::rustc-link-arg-bins=--defsym=_ram=0x38000000");
+            arg("--defsym=_flash=0x10000000");
+            arg("--defsym=_ram=0x38000000");
         }
         for program in ["bench", "bench_set_up", "bench_frugal", "bench_frugal_set_up", "scaling"] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
         }
     }
-    println!("cargo::rustc-link-arg-bins=-Tlink.x");
+    arg("-Tlink.x");
     Ok(())
 }
 
-const fn cube() -> &'static str {
-    "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
-     f 5 6 7 8\nf 6 2 3 7\nf 2 1 4 3\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n"
-}
+const CUBE: &str = "\
+     v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
+     f 5 6 7 8\nf 6 2 3 7\nf 2 1 4 3\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n";
 
-/// A sphere of `around` meridians and `down` rows: 2 `around` (`down` - 1) triangles.
+/// Returns a sphere of `around` meridians and `down` rows: 2 `around` (`down` - 1) triangles.
 fn sphere(around: usize, down: usize) -> Result<String, std::fmt::Error> {
     let mut obj = String::from("v 0 1 0\nv 0 -1 0\n");
     for row in 1..down {
@@ -96,11 +104,4 @@ fn sphere(around: usize, down: usize) -> Result<String, std::fmt::Error> {
         }
     }
     Ok(obj)
-}
-
-/// The scenes whose size is measured have a model of 500 triangles and few vertices besides.
-fn sizes(out: &Path) -> Result<(), Box<dyn Error>> {
-    fs::write(out.join("ball.obj"), sphere(25, 11)?)?;
-    convert_for_build(out.join("ball.obj"), &Options::default())?;
-    Ok(())
 }

@@ -1,5 +1,4 @@
-//! What the firmware says, and how it ends: by semihosting on a microcontroller, as any program on
-//! the host.
+//! The output of the firmware, and its end. Both use semihosting on a microcontroller.
 
 use core::fmt::Arguments;
 
@@ -31,7 +30,7 @@ pub fn line(text: Arguments<'_>) {
     std::println!("{text}");
 }
 
-/// Prints how this was compiled: with which `opt-level`.
+/// Prints the `opt-level` that this was compiled with.
 pub fn build() {
     line(format_args!("opt-level {}", env!("OPT_LEVEL")));
 }

@@ -1,6 +1,6 @@
 //! How a program starts: the same on a microcontroller and on the host.
 
-/// Makes a function without arguments the program; when it returns, the program ends.
+/// Makes a function without arguments the program, which ends when the function returns.
 #[macro_export]
 macro_rules! entry {
     ($run:path) => {

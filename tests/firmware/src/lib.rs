@@ -1,6 +1,9 @@
-//! What the firmware draws, the same on every core and on the host.
+//! The frames that the firmware draws, the same on every core and on the host.
 
 #![no_std]
+
+#[macro_use]
+mod cost_fields;
 
 pub mod bench;
 pub mod console;

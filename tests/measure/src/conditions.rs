@@ -1,4 +1,4 @@
-//! What figures were measured with.
+//! The conditions that figures were measured under.
 
 use std::{
     fmt::{self, Display},
@@ -10,27 +10,27 @@ use serde::{Deserialize, Serialize};
 
 use crate::{cores::Core, firmware, qemu};
 
-/// The day, and what the figures depend on.
+/// The day, and the tools that the figures depend on.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) struct Conditions {
     /// As in 2026-01-31 (UTC).
     pub(crate) date: String,
-    /// The compiler's version, as it says it.
+    /// The output of `rustc --version`.
     pub(crate) rustc: String,
     pub(crate) opt_level: String,
     pub(crate) qemu: String,
 }
 
 impl Conditions {
-    /// Today's, for firmware that has printed these lines on a core.
+    /// The conditions of today, for firmware that printed these lines on a core.
     ///
     /// # Errors
     ///
-    /// If the first line is not the firmware's `opt-level`.
+    /// Returns an error if the first line is not the firmware's `opt-level`.
     pub(crate) fn of(core: Core, lines: &[String]) -> Result<Self> {
-        let now = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH);
+        let now = humantime::format_rfc3339_seconds(SystemTime::now()).to_string();
         Ok(Self {
-            date: date(now.map_or(0, |time| time.as_secs() / 86_400)),
+            date: now.split('T').next().unwrap_or_default().to_owned(),
             rustc: firmware::compiler_version(core)?,
             opt_level: opt_level(lines)?,
             qemu: qemu::version(core)?,
@@ -55,37 +55,9 @@ fn opt_level(lines: &[String]) -> Result<String> {
         .to_owned())
 }
 
-/// The date of a day counted from 1970-01-01.
-///
-/// Howard Hinnant, "chrono-compatible low-level date algorithms", `civil_from_days`: years begin in
-/// March, so that the day that some lack is their last; 400 years are 146,097 days.
-fn date(day: u64) -> String {
-    let day = day + 719_468; // from 0000-03-01
-    let (era, day) = (day / 146_097, day % 146_097);
-    let year = (day - day / 1_460 + day / 36_524 - day / 146_096) / 365;
-    let day = day - (365 * year + year / 4 - year / 100);
-    let month = (5 * day + 2) / 153;
-    let day = day - (153 * month + 2) / 5 + 1;
-    let (month, carry) = if month < 10 { (month + 3, 0) } else { (month - 9, 1) };
-    format!("{:04}-{month:02}-{day:02}", 400 * era + year + carry)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn days_have_their_dates() {
-        let days = [
-            (0, "1970-01-01"),
-            (11_016, "2000-02-29"),
-            (11_017, "2000-03-01"),
-            (20_453, "2025-12-31"),
-        ];
-        for (day, expected) in days {
-            assert_eq!(date(day), expected);
-        }
-    }
 
     #[test]
     fn the_first_line_is_the_opt_level() {

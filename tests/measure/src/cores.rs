@@ -9,93 +9,66 @@ use serde::{Deserialize, Serialize};
 )]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Core {
-    /// Cortex-M0+ code. QEMU has no ARMv6-M board with enough memory; its Cortex-M3 retires the
-    /// same instructions.
-    #[value(help = "Cortex-M0+")]
+    /// Cortex-M0+
     M0plus,
-    /// Cortex-M4.
-    #[value(help = "Cortex-M4")]
+    /// Cortex-M4
     M4,
-    /// Cortex-M7.
-    #[value(help = "Cortex-M7")]
+    /// Cortex-M7
     M7,
-    /// Cortex-M33.
-    #[value(help = "Cortex-M33")]
+    /// Cortex-M33
     M33,
-    /// RV32IMC.
-    #[value(help = "RISC-V, RV32IMC")]
+    /// RISC-V, RV32IMC
     Riscv,
 }
 
-impl Core {
-    /// All of them.
-    pub(crate) const ALL: [Self; 5] = [Self::M0plus, Self::M4, Self::M7, Self::M33, Self::Riscv];
-
-    /// Those that were named, each once, or all if none was.
-    pub(crate) fn or_all(named: &[Self]) -> Vec<Self> {
-        let chosen = |core: &Self| named.is_empty() || named.contains(core);
-        Self::ALL.into_iter().filter(chosen).collect()
-    }
-
+/// Facts about a core.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Facts {
     /// Its name on the command line and in files.
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::M0plus => "m0plus",
-            Self::M4 => "m4",
-            Self::M7 => "m7",
-            Self::M33 => "m33",
-            Self::Riscv => "riscv",
-        }
-    }
-
+    pub(crate) name: &'static str,
     /// Its name in tables.
+    pub(crate) title: &'static str,
+    /// Its target triple.
+    pub(crate) target: &'static str,
+    /// The arguments of QEMU that choose its board.
+    pub(crate) board: &'static [&'static str],
+    /// Instructions in a unit of the firmware's counter. With `-icount shift=0` each takes a
+    /// nanosecond: a system timer at 25 MHz ticks every 40 of them, one at 20 MHz every 50.
+    /// `mcycle` counts single instructions.
+    pub(crate) instructions_per_count: u64,
+}
+
+impl Core {
+    /// Returns the named cores, each once, or all if none is named.
+    pub(crate) fn or_all(named: &[Self]) -> Vec<Self> {
+        let is_chosen = |core: &&Self| named.is_empty() || named.contains(core);
+        Self::value_variants().iter().filter(is_chosen).copied().collect()
+    }
+
+    pub(crate) const fn facts(self) -> Facts {
+        let (name, title, target, board, instructions_per_count): (_, _, _, &[_], _) = match self {
+            // QEMU has no ARMv6-M board with enough memory. Its Cortex-M3 retires the same
+            // instructions.
+            Self::M0plus => ("m0plus", "Cortex-M0+", "thumbv6m-none-eabi", &["mps2-an385"], 40),
+            Self::M4 => ("m4", "Cortex-M4", "thumbv7em-none-eabihf", &["mps2-an386"], 40),
+            Self::M7 => ("m7", "Cortex-M7", "thumbv7em-none-eabihf", &["mps2-an500"], 40),
+            Self::M33 => ("m33", "Cortex-M33", "thumbv8m.main-none-eabihf", &["mps2-an505"], 50),
+            Self::Riscv => {
+                ("riscv", "RV32IMC", "riscv32imc-unknown-none-elf", &["virt", "-bios", "none"], 1)
+            }
+        };
+        Facts { name, title, target, board, instructions_per_count }
+    }
+
     pub(crate) const fn title(self) -> &'static str {
-        match self {
-            Self::M0plus => "Cortex-M0+",
-            Self::M4 => "Cortex-M4",
-            Self::M7 => "Cortex-M7",
-            Self::M33 => "Cortex-M33",
-            Self::Riscv => "RV32IMC",
-        }
+        self.facts().title
     }
 
-    /// What the compiler calls it.
-    pub(crate) const fn target(self) -> &'static str {
-        match self {
-            Self::M0plus => "thumbv6m-none-eabi",
-            Self::M4 | Self::M7 => "thumbv7em-none-eabihf",
-            Self::M33 => "thumbv8m.main-none-eabihf",
-            Self::Riscv => "riscv32imc-unknown-none-elf",
-        }
-    }
-
-    /// QEMU's program for it.
+    /// The QEMU program that emulates it.
     pub(crate) const fn emulator(self) -> &'static str {
         match self {
             Self::Riscv => "qemu-system-riscv32",
             _ => "qemu-system-arm",
-        }
-    }
-
-    /// QEMU's arguments that name the board.
-    pub(crate) const fn machine(self) -> &'static [&'static str] {
-        match self {
-            Self::M0plus => &["-machine", "mps2-an385"],
-            Self::M4 => &["-machine", "mps2-an386"],
-            Self::M7 => &["-machine", "mps2-an500"],
-            Self::M33 => &["-machine", "mps2-an505"],
-            Self::Riscv => &["-machine", "virt", "-bios", "none"],
-        }
-    }
-
-    /// Instructions to a unit of the firmware's counter, with `-icount shift=0`: at a nanosecond
-    /// each, a system timer at 25 MHz ticks every 40 of them, one at 20 MHz every 50; `mcycle`
-    /// counts every one.
-    pub(crate) const fn instructions_per_count(self) -> u64 {
-        match self {
-            Self::M0plus | Self::M4 | Self::M7 => 40,
-            Self::M33 => 50,
-            Self::Riscv => 1,
         }
     }
 }
@@ -106,10 +79,11 @@ mod tests {
 
     #[test]
     fn the_names_are_those_of_the_command_line_and_of_json() {
-        for core in Core::ALL {
-            assert_eq!(Core::from_str(core.name(), false), Ok(core));
-            assert_eq!(serde_json::to_string(&core).unwrap(), format!("\"{}\"", core.name()));
+        for core in Core::or_all(&[]) {
+            let name = core.facts().name;
+            assert_eq!(Core::from_str(name, false), Ok(core));
+            assert_eq!(serde_json::to_string(&core).unwrap(), format!("\"{name}\""));
         }
-        assert_eq!(Core::value_variants(), Core::ALL);
+        assert_eq!(Core::or_all(&[Core::M7, Core::M4, Core::M7]), [Core::M4, Core::M7]);
     }
 }

@@ -1,72 +1,92 @@
 //! What the firmware counts while it draws a scene.
 
-use anyhow::{Result, bail};
-use serde::Deserialize;
+use anyhow::{Context as _, Result, ensure};
+use serde::{Deserialize, de::DeserializeOwned};
 
 use crate::cores::Core;
 
-/// Sums over the frames, in units of the core's counter.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-pub(crate) struct Cost {
-    frames: u64,
-    clear: u64,
-    vertices: u64,
-    draw: u64,
-    pixels_drawn: u64,
-    triangles_drawn: u64,
-    pixels_changed: u64,
+#[path = "../../firmware/src/cost_fields.rs"]
+#[macro_use]
+mod fields;
+
+macro_rules! declare {
+    ($($(#[$doc:meta])* $field:ident,)*) => {
+        /// Sums over the frames, in units of the core's counter.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+        pub(crate) struct Cost {
+            $($(#[$doc])* pub(crate) $field: u64,)*
+        }
+    };
 }
+cost_fields!(declare);
 
 impl Cost {
-    /// A mean over the frames, to the nearest.
-    const fn mean(&self, sum: u64) -> u64 {
+    /// The mean of a sum over the frames, rounded to the nearest.
+    pub(crate) const fn mean(&self, sum: u64) -> u64 {
         (sum + self.frames / 2) / self.frames
     }
 
-    const fn instructions(&self, sum: u64, core: Core) -> u64 {
-        self.mean(sum * core.instructions_per_count())
+    /// Instructions a frame, of a sum that the core's counter has measured.
+    pub(crate) const fn instructions(&self, core: Core, sum: u64) -> u64 {
+        self.mean(sum * core.facts().instructions_per_count)
     }
+}
 
-    /// Instructions of a frame.
-    pub(crate) const fn frame(&self, core: Core) -> u64 {
-        self.instructions(self.clear + self.vertices + self.draw, core)
-    }
+/// A line of the firmware: what was drawn, and its cost.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+pub(crate) struct Line<K> {
+    #[serde(flatten)]
+    pub(crate) key: K,
+    #[serde(flatten)]
+    pub(crate) cost: Cost,
+}
 
-    /// Instructions that set depth to the far end.
-    pub(crate) const fn clear(&self, core: Core) -> u64 {
-        self.instructions(self.clear, core)
-    }
+/// Parses the output of a program. Its first line is the `opt-level`.
+pub(crate) fn lines<K: DeserializeOwned>(lines: &[String]) -> Result<Vec<Line<K>>> {
+    let parse = |line: &String| {
+        let Line { key, cost } = serde_json::from_str(line)
+            .with_context(|| format!("the firmware has printed `{line}` instead of figures"))?;
+        let Cost { frames, triangles_drawn, .. } = cost;
+        ensure!(frames > 0 && triangles_drawn > 0, "the firmware has drawn nothing: {cost:?}");
+        Ok(Line { key, cost })
+    };
+    lines.iter().skip(1).map(parse).collect()
+}
 
-    /// Instructions for vertices.
-    pub(crate) const fn vertices(&self, core: Core) -> u64 {
-        self.instructions(self.vertices, core)
-    }
+#[cfg(test)]
+pub(crate) mod tests {
+    use serde_json::{Value, json};
 
-    /// Instructions for triangles and pixels.
-    pub(crate) const fn triangles_and_pixels(&self, core: Core) -> u64 {
-        self.instructions(self.draw, core)
-    }
+    use super::*;
 
-    /// Pixels that a frame covers.
-    pub(crate) const fn pixels_drawn(&self) -> u64 {
-        self.mean(self.pixels_drawn)
-    }
-
-    /// Triangles that are left of a frame after culling and clipping.
-    pub(crate) const fn triangles_drawn(&self) -> u64 {
-        self.mean(self.triangles_drawn)
-    }
-
-    /// Pixels of the rectangle that a frame changes.
-    pub(crate) const fn pixels_changed(&self) -> u64 {
-        self.mean(self.pixels_changed)
-    }
-
-    /// Refuses sums without a frame or a triangle: they say nothing.
-    pub(crate) fn check(&self) -> Result<()> {
-        if self.frames == 0 || self.triangles_drawn == 0 {
-            bail!("the firmware has drawn nothing: {self:?}");
+    /// A line of the firmware with these sums over eight frames.
+    pub(crate) fn line(key: Value, clear: u64, vertices: u64, draw: u64) -> String {
+        let mut line = json!({
+            "frames": 8, "clear": clear, "vertices": vertices, "draw": draw,
+            "pixels_drawn": 804, "triangles_drawn": 44, "pixels_changed": 1_600,
+        });
+        for (name, value) in key.as_object().unwrap() {
+            line[name] = value.clone();
         }
-        Ok(())
+        line.to_string()
+    }
+
+    #[test]
+    fn means_are_rounded_to_the_nearest() {
+        let line = line(json!({ "scene": "cube" }), 80, 16, 300);
+        let lines = lines::<Value>(&["opt-level 3".into(), line]).unwrap();
+        let Line { key, cost } = &lines[0];
+        assert_eq!(key["scene"], "cube");
+        assert_eq!((cost.mean(cost.pixels_drawn), cost.mean(cost.triangles_drawn)), (101, 6));
+        assert_eq!(cost.instructions(Core::M33, cost.draw), 1_875);
+        assert_eq!(cost.instructions(Core::Riscv, cost.draw), 38);
+    }
+
+    #[test]
+    fn lines_without_figures_are_quoted() {
+        let of = |line: String| lines::<Value>(&["".into(), line]).unwrap_err().to_string();
+        assert!(of("panicked at src".into()).contains("`panicked at src`"));
+        let line = line(json!({}), 1, 1, 1);
+        assert!(of(line.replace(r#""frames":8"#, r#""frames":0"#)).contains("nothing"));
     }
 }

@@ -1,7 +1,7 @@
 //! Builds programs of the firmware.
 //!
-//! By the toolchain in use if it has the core's target; else by a compiler that brings the sources
-//! of `core`, which is Debian's unless the environment names one.
+//! The toolchain in use builds them if it has the core's target. Otherwise a compiler does that
+//! brings the sources of `core`: Debian's, unless the environment names another.
 
 use std::{
     env,
@@ -15,57 +15,38 @@ use anyhow::{Context as _, Result, bail};
 
 use crate::cores::Core;
 
-/// The root of the workspace: programs are built and results written there, wherever this was
-/// called from.
+/// The root of the workspace, wherever this is called from.
 pub(crate) fn root() -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     here.ancestors().nth(2).unwrap_or(here).to_path_buf()
 }
 
-/// Builds a program for a core by the profile `firmware`, and returns where it is. A later
-/// build of the same program for the same target replaces it, be it at another `opt-level`.
-///
-/// # Errors
-///
-/// If there is no compiler or linker for the core, or it fails; the message has the compiler's.
+/// Builds a program for a core and returns its path.
 pub(crate) fn build(core: Core, name: &str) -> Result<PathBuf> {
-    Ok(build_all(core, &[name], None)?.join(name))
+    let toolchain = Toolchain::find(core)?;
+    run(toolchain.cargo(core), "--bin", &[name])?;
+    Ok(toolchain.output(core).join(name))
 }
 
-/// Builds several programs at once for a core and returns the directory they are in. `opt_level` is
-/// that of the profile unless another is named.
-///
-/// # Errors
-///
-/// As [`build`].
-pub(crate) fn build_all(core: Core, names: &[&str], opt_level: Option<&str>) -> Result<PathBuf> {
+/// Builds the programs of several scenes for a core at an `opt-level` and returns their folder. The
+/// next build for the same target replaces them, even if it is at another level.
+pub(crate) fn build_scenes(core: Core, names: &[&str], opt_level: &str) -> Result<PathBuf> {
     let toolchain = Toolchain::find(core)?;
     let mut command = toolchain.cargo(core);
-    command.args(["--profile", PROFILE, "--target", core.target()]);
-    if let Some(level) = opt_level {
-        command.env("CARGO_PROFILE_FIRMWARE_OPT_LEVEL", level);
-    }
-    run(command, names)?;
-    Ok(toolchain.directory.join(core.target()).join(PROFILE))
+    command.env("CARGO_PROFILE_FIRMWARE_OPT_LEVEL", opt_level);
+    run(command, "--example", names)?;
+    Ok(toolchain.output(core).join("examples"))
 }
 
-/// Builds a program for the machine that this runs on and returns where it is.
-///
-/// # Errors
-///
-/// If it does not compile.
+/// Builds a program for the host and returns its path.
 pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
     let mut command = Command::new(cargo_in_use());
     command.args(CARGO_ARGUMENTS).arg("--release");
-    run(command, &[name])?;
+    run(command, "--bin", &[name])?;
     Ok(target_directory().join("release").join(name).with_extension(env::consts::EXE_EXTENSION))
 }
 
-/// The version of the compiler that builds for a core, as it says it.
-///
-/// # Errors
-///
-/// If there is none.
+/// The output of `rustc --version` for the compiler that builds for a core.
 pub(crate) fn compiler_version(core: Core) -> Result<String> {
     output_of(Command::new(Toolchain::find(core)?.rustc).arg("--version"))
 }
@@ -75,20 +56,19 @@ const CARGO_ARGUMENTS: [&str; 4] = ["build", "--quiet", "--package", "firmware"]
 /// The profile of the workspace's manifest that firmware is built by.
 const PROFILE: &str = "firmware";
 
-/// What builds for a core.
+/// The compiler, and the folder to build in.
 struct Toolchain {
     rustc: OsString,
     cargo: OsString,
-    /// Where programs are built.
     directory: PathBuf,
-    /// If `core` has to be built too: the linker.
+    /// The linker, if `core` has to be built too.
     builds_core_with: Option<PathBuf>,
 }
 
 impl Toolchain {
     fn find(core: Core) -> Result<Self> {
         let rustc = env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
-        if has_core(&rustc, core.target()) {
+        if has_core(&rustc, core.facts().target) {
             return Ok(Self {
                 rustc,
                 cargo: cargo_in_use(),
@@ -100,13 +80,14 @@ impl Toolchain {
             |variable, otherwise: &str| env::var_os(variable).unwrap_or_else(|| otherwise.into());
         let (source_rustc, cargo) =
             (or("FIRMWARE_RUSTC", "/usr/bin/rustc"), or("FIRMWARE_CARGO", "/usr/bin/cargo"));
-        if !has_sources(&source_rustc) {
+        let sources = libraries(&source_rustc).map(|folder| folder.join("src/rust/library/core"));
+        if !sources.is_some_and(|sources| sources.exists()) {
             bail!(
-                "there is no compiler for {}: `rustup target add {}`, or on Debian install rustc-web, cargo-web and \
-                 rust-web-src (or name a compiler that has its library's sources in FIRMWARE_RUSTC, its cargo in \
-                 FIRMWARE_CARGO)",
-                core.name(),
-                core.target()
+                "there is no compiler for {}: `rustup target add {}`, or on Debian install \
+                 rustc-web, cargo-web and rust-web-src (or name a compiler with the sources of \
+                 `core` in FIRMWARE_RUSTC, and its cargo in FIRMWARE_CARGO)",
+                core.facts().name,
+                core.facts().target
             );
         }
         let linker = linker(&rustc).or_else(|| linker(&source_rustc)).or_else(|| {
@@ -126,18 +107,19 @@ impl Toolchain {
         })
     }
 
-    /// The command that builds a program of the firmware.
+    /// The command that builds programs of the firmware.
     fn cargo(&self, core: Core) -> Command {
         let mut command = Command::new(&self.cargo);
         command.args(CARGO_ARGUMENTS);
+        command.args(["--profile", PROFILE, "--target", core.facts().target]);
         if let Some(linker) = &self.builds_core_with {
-            let triple = core.target().replace(['-', '.'], "_").to_uppercase();
+            let triple = core.facts().target.replace(['-', '.'], "_").to_uppercase();
             command
                 .env(format!("CARGO_TARGET_{triple}_LINKER"), linker)
                 .env("RUSTC", &self.rustc)
                 // Debian's compiler is a stable one, and -Zbuild-std is not.
                 .env("RUSTC_BOOTSTRAP", "1")
-                // It must not be taken for the toolchain that this was started by.
+                // Rustup would take it for the toolchain to use.
                 .env_remove("RUSTUP_TOOLCHAIN")
                 .arg("-Zbuild-std=core")
                 .arg("--target-dir")
@@ -145,9 +127,14 @@ impl Toolchain {
         }
         command
     }
+
+    /// The folder of the programs for a core.
+    fn output(&self, core: Core) -> PathBuf {
+        self.directory.join(core.facts().target).join(PROFILE)
+    }
 }
 
-/// The cargo that has started this, or the usual one.
+/// The cargo that started this program, or the one on the path.
 fn cargo_in_use() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
@@ -159,37 +146,31 @@ fn target_directory() -> PathBuf {
 
 /// Whether a compiler has `core` for a target.
 fn has_core(rustc: &OsString, target: &str) -> bool {
-    let library =
-        output_of(Command::new(rustc).args(["--print", "target-libdir", "--target", target]));
-    let files = library.ok().and_then(|directory| fs::read_dir(directory).ok());
-    files.is_some_and(|files| {
-        let mut names = files.flatten().map(|file| file.file_name());
-        names.any(|name| name.to_string_lossy().starts_with("libcore-"))
-    })
+    let mut command = Command::new(rustc);
+    let library = output_of(command.args(["--print", "target-libdir", "--target", target])).ok();
+    let files = library.and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten();
+    let mut names = files.flatten().map(|file| file.file_name());
+    names.any(|name| name.to_string_lossy().starts_with("libcore-"))
 }
 
-/// Whether a compiler has the sources of `core`.
-fn has_sources(rustc: &OsString) -> bool {
-    let sysroot = output_of(Command::new(rustc).args(["--print", "sysroot"]));
-    sysroot
-        .is_ok_and(|sysroot| Path::new(&sysroot).join("lib/rustlib/src/rust/library/core").exists())
+/// The folder of a compiler's libraries.
+fn libraries(rustc: &OsString) -> Option<PathBuf> {
+    let sysroot = output_of(Command::new(rustc).args(["--print", "sysroot"])).ok()?;
+    Some(Path::new(&sysroot).join("lib/rustlib"))
 }
 
 /// The linker that comes with a compiler.
 fn linker(rustc: &OsString) -> Option<PathBuf> {
-    let sysroot = output_of(Command::new(rustc).args(["--print", "sysroot"])).ok()?;
-    let hosts = fs::read_dir(Path::new(&sysroot).join("lib/rustlib")).ok()?;
+    let hosts = fs::read_dir(libraries(rustc)?).ok()?;
     let mut linkers = hosts.flatten().map(|host| host.path().join("bin/rust-lld"));
     linkers.find(|linker| linker.is_file())
 }
 
-/// Runs cargo in the workspace, to build these programs.
-fn run(mut command: Command, names: &[&str]) -> Result<()> {
-    for name in names {
-        command.args(["--bin", name]);
-    }
-    // Cargo runs in the root, a build script in its package: neither is where a relative path was
-    // written.
+/// Runs cargo in the workspace to build these targets of a kind.
+fn run(mut command: Command, kind: &str, names: &[&str]) -> Result<()> {
+    command.args(names.iter().flat_map(|name| [kind, name]));
+    // A relative path is relative to neither the root, where cargo runs, nor the package, where a
+    // build script does.
     if let Some(models) = env::var_os("RASTERIZER_MODELS") {
         command.env("RASTERIZER_MODELS", path::absolute(models)?);
     }
@@ -198,7 +179,7 @@ fn run(mut command: Command, names: &[&str]) -> Result<()> {
         .with_context(|| format!("{} could not be started", command.get_program().display()))?;
     if !output.status.success() {
         bail!(
-            "the firmware's program {} could not be built:\n{}",
+            "{} of the firmware could not be built:\n{}",
             names.join(", "),
             String::from_utf8_lossy(&output.stderr).trim_end()
         );
@@ -206,7 +187,7 @@ fn run(mut command: Command, names: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// What a command prints, without the end of its line.
+/// Runs a command and returns its output without the last line break.
 pub(crate) fn output_of(command: &mut Command) -> Result<String> {
     let name = command.get_program().display().to_string();
     let output = command.output().with_context(|| format!("{name} could not be started"))?;

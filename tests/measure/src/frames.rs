@@ -1,18 +1,19 @@
-//! The command `frames`: whether a core draws the same frames as the host.
+//! The command `frames`: compares the frames of the cores with those of the host.
 
 use std::{fmt::Write as _, process::Command};
 
 use anyhow::Result;
 use clap::Args;
 
-use crate::{Done, cores::Core, firmware, progress::Progress, qemu};
+use crate::{Done, cores::Core, firmware, progress, qemu};
 
 const EXAMPLES: &str = "\
 Examples:
   measure frames                    All cores
   measure frames m4 riscv
 
-Exit status: 0 if all frames hash as on the host, 1 if not, 2 for bad usage or if something is missing.";
+Exit status: 0 if all frames hash as on the host, 1 if not, 2 for bad usage or if something is
+missing.";
 
 /// Compare the hashes of frames on the cores with those of the host
 #[derive(Debug, Args)]
@@ -25,56 +26,35 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     let cores = Core::or_all(&arguments.cores);
-    let progress = Progress::over(1 + cores.len());
-    progress.say("frames on the host".into());
+    let progress = progress::over(1 + cores.len());
+    progress.set_message("frames on the host");
     let host = firmware::output_of(&mut Command::new(firmware::build_for_host("frames")?))?;
     let host: Vec<_> = host.lines().collect();
-    progress.step();
-    let mut done = Done::default();
-    for &core in &cores {
-        progress.say(format!("frames on {}", core.title()));
+    progress.inc(1);
+    let (mut text, mut is_good) = (String::new(), true);
+    for core in cores {
+        progress.set_message(format!("frames on {}", core.title()));
         let lines = qemu::run(core, &firmware::build(core, "frames")?)?;
         let differences = differences(&host, &lines);
-        if differences.is_empty() {
-            writeln!(
-                done.text,
-                "{:<10}  all {} frames hash as on the host",
-                core.title(),
-                host.len()
-            )?;
-        } else {
-            done.is_good = false;
-            let same = host.len().saturating_sub(differences.len());
-            writeln!(
-                done.text,
-                "{:<10}  {same} of {} frames hash as on the host",
-                core.title(),
-                host.len()
-            )?;
-            for Difference { host, core } in differences {
-                writeln!(done.text, "  host: {host}\n  core: {core}")?;
-            }
+        let (same, all) = (host.len().saturating_sub(differences.len()), host.len());
+        writeln!(text, "{:<10}  {same} of {all} frames hash as on the host", core.title())?;
+        for [host, core] in &differences {
+            writeln!(text, "  host: {host}\n  core: {core}")?;
         }
-        progress.step();
+        is_good &= differences.is_empty();
+        progress.inc(1);
     }
-    Ok(done)
+    Ok(Done { text, is_good })
 }
 
-/// A line that is not the same.
-#[derive(Debug, PartialEq, Eq)]
-struct Difference<'a> {
-    host: &'a str,
-    core: &'a str,
-}
-
-/// The lines that differ, and those that only one of the two has.
-fn differences<'a>(host: &[&'a str], core: &'a [String]) -> Vec<Difference<'a>> {
+/// The lines of the host and of the core that differ, and those that only one of the two has.
+fn differences<'a>(host: &[&'a str], core: &'a [String]) -> Vec<[&'a str; 2]> {
     let lines = 0..host.len().max(core.len());
-    let pairs = lines.map(|line| Difference {
-        host: host.get(line).copied().unwrap_or("(nothing)"),
-        core: core.get(line).map_or("(nothing)", String::as_str),
+    let pairs = lines.map(|line| {
+        let [host, core] = [host.get(line).copied(), core.get(line).map(String::as_str)];
+        [host, core].map(|line| line.unwrap_or("(nothing)"))
     });
-    pairs.filter(|pair| pair.host != pair.core).collect()
+    pairs.filter(|[host, core]| host != core).collect()
 }
 
 #[cfg(test)]
@@ -83,14 +63,10 @@ mod tests {
 
     #[test]
     fn differing_missing_and_surplus_lines_are_found() {
-        let lines = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
-        let found = |host: &[&str], core: &[String]| {
-            let pairs = differences(host, core);
-            pairs.iter().map(|pair| format!("{}/{}", pair.host, pair.core)).collect::<Vec<_>>()
-        };
-        assert!(found(&["a", "b"], &lines("a b")).is_empty());
-        assert_eq!(found(&["a", "b"], &lines("a c")), ["b/c"]);
-        assert_eq!(found(&["a", "b"], &lines("a")), ["b/(nothing)"]);
-        assert_eq!(found(&["a"], &lines("a b")), ["(nothing)/b"]);
+        let core = ["a", "b"].map(str::to_owned);
+        assert!(differences(&["a", "b"], &core).is_empty());
+        assert_eq!(differences(&["a", "c"], &core), [["c", "b"]]);
+        assert_eq!(differences(&["a"], &core), [["(nothing)", "b"]]);
+        assert_eq!(differences(&["a", "b"], &core[..1]), [["b", "(nothing)"]]);
     }
 }

@@ -1,11 +1,12 @@
-//! Builds the firmware for microcontrollers, runs it in QEMU, and says what frames cost there.
+//! Builds the firmware for microcontrollers, runs it in QEMU, and measures what frames cost there.
 
+mod chart;
 mod conditions;
 mod cores;
 mod cost;
+mod figures;
 mod firmware;
 mod frames;
-mod per_core;
 mod progress;
 mod qemu;
 mod results;
@@ -29,10 +30,11 @@ Examples:
   cargo run --quiet --release --package measure -- scaling
   cargo run --quiet --release --package measure -- size
 
-Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is missing.";
+Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is
+missing.";
 
-/// Builds the firmware for microcontrollers, runs it in QEMU, and says whether it draws the same
-/// frames there as on the host and what they cost.
+/// Builds the firmware for microcontrollers, runs it in QEMU, compares its frames with those of the
+/// host, and measures what they cost.
 #[derive(Debug, Parser)]
 #[command(name = "measure", version, after_help = EXAMPLES)]
 struct Arguments {
@@ -46,21 +48,17 @@ enum Command {
     Speed(speed::Arguments),
     Scaling(scaling::Arguments),
     Size(size::Arguments),
+    /// Write tests/measure/RESULTS.md and its chart again, from the saved figures
+    Render,
 }
 
-/// What a command has to say when its files are written.
+/// The result of a command, once its files are written.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct Done {
     /// For the standard output.
     text: String,
-    /// Whether all that was compared is as it should be.
+    /// Whether all comparisons came out well.
     is_good: bool,
-}
-
-impl Default for Done {
-    fn default() -> Self {
-        Self { text: String::new(), is_good: true }
-    }
 }
 
 fn main() -> ExitCode {
@@ -69,19 +67,20 @@ fn main() -> ExitCode {
         Command::Speed(arguments) => speed::run(arguments),
         Command::Scaling(arguments) => scaling::run(arguments),
         Command::Size(arguments) => size::run(arguments),
+        Command::Render => results::render().map(|()| Done { text: String::new(), is_good: true }),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {
         Ok(true) => ExitCode::SUCCESS,
         Ok(false) => ExitCode::from(1),
         Err(error) => {
-            // If the standard error is closed too, nobody is there to be told.
+            // If the standard error is closed too, there is nowhere left to report to.
             let _ = writeln!(io::stderr(), "error: {error:#}");
             ExitCode::from(2)
         }
     }
 }
 
-/// Prints to the standard output. A reader that has seen enough and closed the pipe is no fault.
+/// Prints to the standard output. A closed pipe is no error: its reader has seen enough.
 fn print(text: &str) -> Result<()> {
     let mut out = io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {

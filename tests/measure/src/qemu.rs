@@ -11,11 +11,12 @@ use crate::{cores::Core, firmware};
 ///
 /// # Errors
 ///
-/// If QEMU is not installed, or the program panics; the message has the panic's.
+/// Returns an error if QEMU is not installed or the program panics, with the message of the panic.
 pub(crate) fn run(core: Core, program: &Path) -> Result<Vec<String>> {
     let mut command = Command::new(core.emulator());
     command
-        .args(core.machine())
+        .arg("-machine")
+        .args(core.facts().board)
         .args([
             "-nographic",
             "-icount",
@@ -39,11 +40,7 @@ pub(crate) fn run(core: Core, program: &Path) -> Result<Vec<String>> {
     Ok(lines)
 }
 
-/// QEMU's version, as in 7.2.22.
-///
-/// # Errors
-///
-/// If it is not installed.
+/// The version of QEMU, as in 7.2.22.
 pub(crate) fn version(core: Core) -> Result<String> {
     let Ok(text) = firmware::output_of(Command::new(core.emulator()).arg("--version")) else {
         bail!("{}", not_installed(core));

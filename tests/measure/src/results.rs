@@ -1,72 +1,53 @@
-//! The files that keep figures in the repository: `results/*.json`, and `RESULTS.md` made of them.
+//! The files that keep figures in the repository: `results/*.json`, and what is made of them.
 
-use std::{fs, io::ErrorKind, path::PathBuf};
+use std::path::PathBuf;
 
-use anyhow::{Context as _, Result};
+use anyhow::Result;
 use host_tools::model::write_atomically;
-use serde::{Serialize, de::DeserializeOwned};
 
-use crate::{firmware, scaling, speed};
+use crate::{
+    firmware,
+    scaling::{self, Scaling},
+    speed::Speed,
+};
 
 const TITLE: &str = "\
 # What it costs
 
-Measured in QEMU by `cargo run --quiet --release --package measure`, and written by it: the same figures come out on every
-host, as far as it has the same compiler.
+Measured in QEMU and written by `cargo run --quiet --release --package measure`. The figures are the
+same on every host that has the same compiler.
 ";
 
-/// A file of figures, or nothing if there is none.
-///
-/// # Errors
-///
-/// If it cannot be read or holds something else.
-pub(crate) fn load<T: DeserializeOwned>(name: &str) -> Result<Option<T>> {
-    let path = file(name);
-    let text = match fs::read_to_string(&path) {
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
-        text => text.with_context(|| path.display().to_string())?,
-    };
-    let figures = serde_json::from_str(&text);
-    let figures = figures.with_context(|| {
-        format!("{} holds no such figures: remove it, or restore it", path.display())
-    });
-    Ok(Some(figures?))
-}
-
-/// Writes a file of figures.
-///
-/// # Errors
-///
-/// If it cannot be written.
-pub(crate) fn save<T: Serialize>(name: &str, figures: &T) -> Result<()> {
-    save_text(name, serde_json::to_string_pretty(figures)? + "\n")
-}
-
-/// Writes a file beside the figures.
-///
-/// # Errors
-///
-/// If it cannot be written.
-pub(crate) fn save_text(name: &str, text: String) -> Result<()> {
-    fs::create_dir_all(file(""))?;
-    Ok(write_atomically(&file(name), text)?)
-}
-
-/// Writes `RESULTS.md` anew, from all figures that are saved.
-///
-/// # Errors
-///
-/// If a file cannot be read or written.
+/// Writes `RESULTS.md` and its chart from all saved figures.
 pub(crate) fn render() -> Result<()> {
-    let sections = [
-        load("speed.json")?.as_ref().map(speed::section),
-        load("scaling.json")?.as_ref().map(scaling::section),
-    ];
-    let text = [TITLE.to_owned()].into_iter().chain(sections.into_iter().flatten());
-    let text = text.collect::<Vec<_>>().join("\n");
-    Ok(write_atomically(&file("../RESULTS.md"), text)?)
+    for (name, text) in rendered()? {
+        write_atomically(&file(name), text)?;
+    }
+    Ok(())
 }
 
-fn file(name: &str) -> PathBuf {
+/// The files that are made of the saved figures.
+fn rendered() -> Result<[(&'static str, String); 2]> {
+    let (speed, scaling) = (Speed::saved()?, Scaling::saved()?);
+    let text = [TITLE, &speed.section(), &scaling.section()].join("\n");
+    Ok([("../RESULTS.md", text), ("scaling.svg", scaling::chart(&scaling))])
+}
+
+pub(crate) fn file(name: &str) -> PathBuf {
     firmware::root().join("tests/measure/results").join(name)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use super::*;
+
+    #[test]
+    fn the_rendered_files_are_those_of_the_saved_figures() {
+        for (name, text) in rendered().unwrap() {
+            let found = fs::read_to_string(file(name)).unwrap();
+            assert!(found == text, "{name} is out of date: run `measure render`");
+        }
+    }
 }

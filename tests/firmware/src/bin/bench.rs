@@ -1,7 +1,6 @@
-//! Prints what the frames of each bench scene cost; on the host, where nothing counts instructions,
-//! zeros.
+//! Prints the cost of the frames of each bench scene. It is 0 on the host, where nothing counts
+//! instructions.
 
-#![cfg_attr(target_os = "none", no_std)]
-#![cfg_attr(target_os = "none", no_main)]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 
 firmware::entry!(firmware::bench::main::<false>);

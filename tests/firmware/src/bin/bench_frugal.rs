@@ -1,7 +1,6 @@
-//! Prints what bands cost that keep neither vertices nor bins, or one of the two; on the host,
-//! where nothing counts instructions, zeros.
+//! Prints the cost of bands that keep vertices, bins or neither. It is 0 on the host, where nothing
+//! counts instructions.
 
-#![cfg_attr(target_os = "none", no_std)]
-#![cfg_attr(target_os = "none", no_main)]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 
 firmware::entry!(firmware::bench::frugal::<false>);

@@ -1,7 +1,6 @@
-//! Prints what such bands cost without their pixels; on the host, where nothing counts
-//! instructions, zeros.
+//! Prints the cost of bands that keep vertices, bins or neither, without their pixels. It is 0 on
+//! the host, where nothing counts instructions.
 
-#![cfg_attr(target_os = "none", no_std)]
-#![cfg_attr(target_os = "none", no_main)]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 
 firmware::entry!(firmware::bench::frugal::<true>);

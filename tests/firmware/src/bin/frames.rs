@@ -1,7 +1,6 @@
-//! Prints the hash of each frame: on a microcontroller by semihosting, on the host as it is.
+//! Prints the hash of each frame, on a microcontroller by semihosting.
 
-#![cfg_attr(target_os = "none", no_std)]
-#![cfg_attr(target_os = "none", no_main)]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 
 use firmware::{
     frames::{self, PIXELS},

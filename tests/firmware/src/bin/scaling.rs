@@ -1,7 +1,6 @@
-//! Prints what frames of more and more triangles cost, and frames of more and more pixels.
+//! Prints the cost of frames with growing numbers of triangles, and of pixels.
 
-#![cfg_attr(target_os = "none", no_std)]
-#![cfg_attr(target_os = "none", no_main)]
+#![cfg_attr(target_os = "none", no_std, no_main)]
 
 use firmware::{
     bench::PIXELS,

@@ -1,45 +1,39 @@
-//! Scenes whose flash and RAM are measured, from an empty program up to everything at once.
+//! Scenes whose flash and RAM are measured, from an empty program up to everything together.
 //!
-//! Each is a program of its own (`size_*`), so that what it does not need is not linked. It keeps
-//! its buffers in a static, draws its frames on a [`Display`] that keeps nothing but a checksum,
-//! leaves that in [`CHECKSUM`] and ends. It formats nothing and unwraps nothing: whatever goes
-//! wrong, it draws nothing, and the checksum stays 0.
+//! Each has its own program in `examples`, so that code it does not need is not linked. The
+//! program keeps its buffers in a static, draws its frames on a [`Display`] that keeps only a
+//! checksum, leaves that in [`CHECKSUM`] and ends. It formats nothing and unwraps nothing: on any
+//! error it draws nothing, and the checksum stays 0.
 //!
-//! Whoever runs it in QEMU reads the RAM when the core asks for a reset: the buffers, the checksum,
-//! and how far the stack has come.
+//! `measure` runs it in QEMU and reads the RAM when the core asks for a reset: the buffers, the
+//! checksum, and how far down the stack has reached.
 
 mod display;
 mod frames;
-mod scenes;
+pub mod scenes;
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
 pub use display::Display;
 pub use frames::Bands;
-#[cfg(models)]
-pub use scenes::Spot;
-pub use scenes::{
-    Deep, Empty, Everything, FlatBands, FlatDepth, FlatDirect, GouraudBinned, GouraudS4, GouraudS8,
-    GouraudUnclipped, GouraudWide, Parallel, Sorted, Store, UnlitDirect,
-};
 
-/// What the display has seen when the scene ended; 0 before, and if it could not be drawn.
+/// The checksum of the display at the end of the scene. 0 before, and if the scene failed.
 #[used]
 pub static CHECKSUM: AtomicU32 = AtomicU32::new(0);
 
-/// A program's buffers and what it draws with them.
+/// The buffers of a program, and what it draws with them.
 pub trait Scene {
     /// The buffers.
     type Memory;
 
-    /// The buffers in a static; all their bits are 0, so that they take no flash.
+    /// The initial buffers. All their bits are 0, so that a static of them takes no flash.
     const MEMORY: Self::Memory;
 
-    /// Draws all its frames; nothing if that is impossible.
+    /// Draws all its frames. Returns `None` on any error.
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()>;
 }
 
-/// Draws a scene and leaves its checksum.
+/// Draws a scene and stores its checksum in [`CHECKSUM`].
 pub fn run<S: Scene>(memory: &mut S::Memory) {
     let mut display = Display::default();
     if S::draw(memory, &mut display).is_some() {
@@ -47,21 +41,22 @@ pub fn run<S: Scene>(memory: &mut S::Memory) {
     }
 }
 
-/// The rest of a program that draws one scene: on a microcontroller the entry, the buffers, the end
-/// and a panic handler without a message; on the host a program that prints the checksum.
+/// Makes one of the [`scenes`] a program. On a microcontroller it has an entry, the buffers, an end
+/// and a panic handler without a message; on the host it prints the checksum.
 #[macro_export]
 macro_rules! scene {
-    ($scene:ty) => {
+    ($scene:ident) => {
+        use $crate::sizes::{self, Scene, scenes::$scene};
+
         #[cfg(target_os = "none")]
         #[cortex_m_rt::entry]
         fn main() -> ! {
-            static mut MEMORY: <$scene as $crate::sizes::Scene>::Memory =
-                <$scene as $crate::sizes::Scene>::MEMORY;
-            $crate::sizes::run::<$scene>(MEMORY);
+            static mut MEMORY: <$scene as Scene>::Memory = $scene::MEMORY;
+            sizes::run::<$scene>(MEMORY);
             cortex_m::peripheral::SCB::sys_reset()
         }
 
-        // Unlike any of the runtime's endless loops, which the linker might take for the same.
+        // Differs from the runtime's endless loops, with which the linker might merge it.
         #[cfg(target_os = "none")]
         #[panic_handler]
         fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
@@ -72,9 +67,9 @@ macro_rules! scene {
 
         #[cfg(not(target_os = "none"))]
         fn main() {
-            let mut memory = Box::new(<$scene as $crate::sizes::Scene>::MEMORY);
-            $crate::sizes::run::<$scene>(&mut memory);
-            let checksum = $crate::sizes::CHECKSUM.load(core::sync::atomic::Ordering::Relaxed);
+            let mut memory = Box::new($scene::MEMORY);
+            sizes::run::<$scene>(&mut memory);
+            let checksum = sizes::CHECKSUM.load(core::sync::atomic::Ordering::Relaxed);
             println!("{checksum:08x}");
         }
     };

@@ -1,4 +1,4 @@
-//! What a program takes of flash and RAM, by its ELF file.
+//! The flash and static RAM of a program, from its ELF file.
 
 use std::{collections::BTreeMap, ops::Range};
 
@@ -33,11 +33,9 @@ pub(crate) struct Image {
 pub(crate) struct Symbol {
     /// The name as it was written in its source.
     pub(crate) name: String,
-    /// Where it lies.
     pub(crate) address: u32,
-    /// Its bytes.
+    /// In bytes.
     pub(crate) size: u32,
-    /// Whether it lies in flash.
     pub(crate) is_in_flash: bool,
 }
 
@@ -51,12 +49,12 @@ impl Symbol {
 impl Image {
     /// Reads an ELF file.
     ///
-    /// The size of a model is the sum of the sizes of the symbols of its tables: exactly what of it
-    /// was linked. Bytes that two symbols name count once.
+    /// The size of a model is the sum of the sizes of its tables' symbols, which is exactly the
+    /// part of it that was linked. Bytes that two symbols name count once.
     ///
     /// # Errors
     ///
-    /// If it is none, if its symbols were stripped, or if it does not begin with a vector table.
+    /// Returns an error if the file is no ELF file, has no symbols, or has no vector table.
     pub(crate) fn parse(file: &[u8]) -> Result<Self> {
         let file = File::parse(file).context("the program is no ELF file")?;
         let (mut flash, mut statics) = (0, None::<Range<u32>>);
@@ -78,13 +76,12 @@ impl Image {
             .and_then(|section| section.data().ok()?.first_chunk::<4>().copied())
             .context("the program has no vector table")?;
         let symbols = symbols(&file);
-        ensure!(
-            !symbols.is_empty(),
-            "the program has no symbols: the release profile must not strip them"
-        );
+        let tables = symbols.iter().filter(|symbol| symbol.is_of_a_model());
+        let tables: BTreeMap<_, _> = tables.map(|table| (table.address, table.size)).collect();
+        ensure!(!symbols.is_empty(), "the program has no symbols: its profile must not strip them");
         Ok(Self {
             flash,
-            models: bytes_of_models(&symbols),
+            models: tables.values().sum(),
             statics: statics.unwrap_or_default(),
             stack_top: u32::from_le_bytes(vectors),
             symbols,
@@ -101,11 +98,7 @@ impl Image {
         self.statics.end - self.statics.start
     }
 
-    /// The address of the static or function with this name.
-    ///
-    /// # Errors
-    ///
-    /// If there is none.
+    /// The address of the static or function with this name. An error if there is none.
     pub(crate) fn address_of(&self, name: &str) -> Result<u32> {
         let symbol = self.symbols.iter().find(|symbol| symbol.name == name);
         Ok(symbol.with_context(|| format!("the program has no symbol {name}"))?.address)
@@ -137,12 +130,6 @@ fn symbols(file: &File<'_>) -> Vec<Symbol> {
         .collect();
     symbols.sort_by(|a, b| (b.size, &a.name).cmp(&(a.size, &b.name)));
     symbols
-}
-
-fn bytes_of_models(symbols: &[Symbol]) -> u32 {
-    let tables = symbols.iter().filter(|symbol| symbol.is_of_a_model());
-    let by_address: BTreeMap<u32, u32> = tables.map(|table| (table.address, table.size)).collect();
-    by_address.values().sum()
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! The command `size`: what scenes take of flash and RAM, and whether that is within their budgets.
+//! The command `size`: measures the flash, stack and RAM of scenes, and compares them with budgets.
 
 mod budgets;
 mod image;
@@ -6,41 +6,44 @@ mod report;
 mod stack;
 mod unwanted;
 
-use std::{fs, path::Path};
+use std::{collections::BTreeSet, env, fs, path::Path};
 
 use anyhow::{Context as _, Result, bail, ensure};
-use clap::Args;
+use clap::{
+    Args, ValueEnum as _,
+    builder::{PossibleValuesParser, TypedValueParser},
+};
 use serde::{Deserialize, Serialize};
 
 use self::{
-    budgets::{Budgets, Bytes},
+    budgets::{Budgets, Bytes, Kind},
     image::{Image, Symbol},
+    report::Report,
 };
-use crate::{Done, cores::Core, firmware, progress::Progress};
+use crate::{Done, cores::Core, firmware, progress};
 
 const EXAMPLES: &str = "\
 Examples:
   measure size                      Cortex-M0+ and Cortex-M4
   measure size m0plus --symbols     With the largest functions of each scene
-  measure size --save               Takes what is measured for the budgets
+  measure size --save               Sets the budgets to what is measured
 
-Exit status: 0 if all is within its budget (those of another compiler do not count) and no scene brings unwanted code, 1
-if not, 2 for bad usage or if something is missing.";
+Exit status: 0 if all scenes are within their budgets (which count only for the compiler that they
+were saved with) and none brings unwanted code, 1 if not, 2 for bad usage or if something is
+missing.";
 
-/// Measure what scenes take of flash and RAM, and compare it with their budgets
+/// Measure flash, stack and RAM of scenes, and compare them with their budgets
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// The cores: m0plus, m4 [default: both]
-    #[arg(value_name = "CORE")]
+    /// The cores [default: m0plus and m4]
+    #[arg(value_name = "CORE", value_parser = core(), default_values = ["m0plus", "m4"])]
+    #[arg(hide_default_value = true)]
     cores: Vec<Core>,
-    /// Print JSON instead of tables
-    #[arg(long)]
-    json: bool,
     /// List the ten largest symbols of each scene
     #[arg(long)]
     symbols: bool,
-    /// Take what is measured, rounded up a little, for the budgets
+    /// Set the budgets to what is measured, rounded up a little
     #[arg(long)]
     save: bool,
 }
@@ -73,62 +76,51 @@ const EMPTY: &str = "empty";
 /// The scene with an array of [`DEPTH`] bytes on the stack.
 const DEEP: &str = "deep";
 const DEPTH: u32 = 4096;
-/// The scene with a model that is not the project's own.
+/// The scene with a model that does not come with the project.
 const SPOT: &str = "spot";
-
-/// The scenes, the smallest first. Each is the program `size_*` of the firmware, with underscores.
-const SCENES: [&str; 14] = [
-    EMPTY,
-    DEEP,
-    "unlit-direct",
-    "flat-direct",
-    "flat-bands",
-    "flat-depth",
-    "gouraud-unclipped",
-    "gouraud-s4",
-    "gouraud-binned",
-    "gouraud-s8",
-    "gouraud-wide",
-    "parallel",
-    "everything",
-    SPOT,
-];
 
 /// What a scene takes.
 #[derive(Clone, Debug)]
 struct Measured {
     core: Core,
-    level: Level,
-    scene: &'static str,
+    opt_level: Level,
+    scene: String,
     bytes: Bytes,
     /// Bytes of flash for tables of models, which are not in `bytes`.
     models: u32,
     /// The checksum of its pictures.
     checksum: u32,
-    /// All its functions and statics, the largest first.
+    /// Its functions and statics, the largest first.
     symbols: Vec<Symbol>,
 }
 
+impl Measured {
+    /// Where it was measured, for messages.
+    fn place(&self) -> String {
+        format!("{} at opt-level {}", self.core.title(), self.opt_level.name())
+    }
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
-    let cores = cores(&arguments.cores)?;
+    let cores = Core::or_all(&arguments.cores);
     let mut budgets = Budgets::load()?;
-    let scenes: Vec<_> = SCENES
-        .into_iter()
-        .filter(|&scene| scene != SPOT || std::env::var_os("RASTERIZER_MODELS").is_some())
-        .collect();
-    let progress = Progress::over(cores.len() * Level::ALL.len() * (1 + scenes.len()));
+    let scenes = scenes()?;
+    let names: Vec<_> = scenes.iter().map(String::as_str).collect();
+    let progress = progress::over(cores.len() * Level::ALL.len() * (1 + scenes.len()));
     let mut all = Vec::new();
     for &core in &cores {
         for level in Level::ALL {
-            progress.say(format!("building for {} at opt-level {}", core.title(), level.name()));
-            let programs: Vec<_> = scenes.iter().map(|scene| program(scene)).collect();
-            let names: Vec<_> = programs.iter().map(String::as_str).collect();
-            let directory = firmware::build_all(core, &names, Some(level.name()))?;
-            progress.step();
-            for (&scene, name) in scenes.iter().zip(&names) {
-                progress.say(format!("{scene} on {}", core.title()));
-                all.push(measure(core, level, scene, &directory.join(name))?);
-                progress.step();
+            progress.set_message(format!(
+                "building for {} at opt-level {}",
+                core.title(),
+                level.name()
+            ));
+            let directory = firmware::build_scenes(core, &names, level.name())?;
+            progress.inc(1);
+            for name in &names {
+                progress.set_message(format!("{name} on {}", core.title()));
+                all.push(measure(core, level, &name.replace('_', "-"), &directory.join(name))?);
+                progress.inc(1);
             }
         }
     }
@@ -136,39 +128,42 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     check_pictures(&all)?;
     check_stack(&all)?;
     all.retain(|measured| measured.scene != DEEP);
+    all.sort_by_key(|measured| (measured.core, measured.opt_level, measured.bytes[&Kind::Flash]));
 
     let compiler = firmware::compiler_version(cores[0])?;
     if arguments.save {
         for measured in &all {
-            budgets.set(measured.core, measured.level, measured.scene, measured.bytes);
+            let Measured { core, opt_level, scene, bytes, .. } = measured;
+            budgets.set(*core, *opt_level, scene, bytes);
         }
-        budgets.set_compiler(&compiler);
+        budgets.compiler.clone_from(&compiler);
         budgets.store()?;
     }
-    Ok(Done {
-        text: if arguments.json {
-            report::json(&all, &budgets, &compiler, arguments.symbols)?
-        } else {
-            report::text(&all, &budgets, &compiler, arguments.symbols)
-        },
-        is_good: report::faults(&all, &budgets, &compiler).is_empty(),
-    })
+    let report = Report::new(&all, &budgets, &compiler);
+    Ok(Done { text: report.text(arguments.symbols), is_good: report.faults.is_empty() })
 }
 
-/// Those that were named, or both.
-fn cores(named: &[Core]) -> Result<Vec<Core>> {
-    let measured = [Core::M0plus, Core::M4];
-    if let Some(other) = named.iter().find(|core| !measured.contains(core)) {
-        bail!("sizes are measured on m0plus and m4, not on {}", other.name());
+/// Accepts the cores that the scenes can be built for.
+fn core() -> impl TypedValueParser<Value = Core> {
+    PossibleValuesParser::new(["m0plus", "m4"]).try_map(|name| Core::from_str(&name, false))
+}
+
+/// Returns the programs of the scenes. Each is an example of the firmware.
+fn scenes() -> Result<BTreeSet<String>> {
+    let folder = firmware::root().join("tests/firmware/examples");
+    let files = fs::read_dir(&folder).with_context(|| folder.display().to_string())?;
+    let mut scenes = BTreeSet::new();
+    for file in files {
+        let path = file?.path();
+        scenes.extend(path.file_stem().map(|name| name.to_string_lossy().into_owned()));
     }
-    Ok(measured.into_iter().filter(|core| named.is_empty() || named.contains(core)).collect())
+    if env::var_os("RASTERIZER_MODELS").is_none() {
+        scenes.remove(SPOT);
+    }
+    Ok(scenes)
 }
 
-fn program(scene: &str) -> String {
-    format!("size_{}", scene.replace('-', "_"))
-}
-
-fn measure(core: Core, level: Level, scene: &'static str, program: &Path) -> Result<Measured> {
+fn measure(core: Core, level: Level, scene: &str, program: &Path) -> Result<Measured> {
     let file =
         fs::read(program).with_context(|| format!("{} cannot be read", program.display()))?;
     let image =
@@ -176,52 +171,45 @@ fn measure(core: Core, level: Level, scene: &'static str, program: &Path) -> Res
     let run = stack::run(core, program, &image)?;
     Ok(Measured {
         core,
-        level,
-        scene,
-        bytes: Bytes {
-            flash: image.code(),
-            stack: run.stack,
-            ram: image.static_bytes() + run.stack,
-        },
+        opt_level: level,
+        scene: scene.to_owned(),
+        bytes: Bytes::from([
+            (Kind::Flash, image.code()),
+            (Kind::Stack, run.stack),
+            (Kind::Ram, image.static_bytes() + run.stack),
+        ]),
         models: image.models,
         checksum: run.checksum,
         symbols: image.symbols,
     })
 }
 
-/// Whether every scene has drawn something, and the same on all cores at all levels.
+/// Checks that every scene draws something, and the same on all cores at all levels.
 fn check_pictures(all: &[Measured]) -> Result<()> {
     for measured in all {
-        let Measured { scene, checksum, .. } = *measured;
-        let place = || format!("{} at opt-level {}", measured.core.title(), measured.level.name());
+        let Measured { scene, checksum, .. } = measured;
         let is_blank = scene == EMPTY || scene == DEEP;
-        ensure!(is_blank || checksum != 0, "{scene} draws nothing on {}", place());
-        let other = all.iter().find(|other| other.scene == scene && other.checksum != checksum);
+        ensure!(is_blank || *checksum != 0, "{scene} draws nothing on {}", measured.place());
+        let other = all.iter().find(|other| other.scene == *scene && other.checksum != *checksum);
         if let Some(other) = other {
-            bail!(
-                "{scene} draws other pictures on {} than on {} at opt-level {}",
-                place(),
-                other.core.title(),
-                other.level.name()
-            );
+            bail!("{scene} draws other pictures on {} than on {}", measured.place(), other.place());
         }
     }
     Ok(())
 }
 
-/// Whether an array of known size on the stack is measured as what it is, but for the words of a
+/// Checks that an array of known size on the stack is measured correctly, up to the words of a
 /// call.
 fn check_stack(all: &[Measured]) -> Result<()> {
     for deep in all.iter().filter(|measured| measured.scene == DEEP) {
-        let is_base = |measured: &&Measured| {
-            measured.scene == EMPTY && (measured.core, measured.level) == (deep.core, deep.level)
-        };
+        let is_base =
+            |measured: &&Measured| measured.scene == EMPTY && measured.place() == deep.place();
         let base = all.iter().find(is_base).context("the runtime was not measured")?;
-        let more = deep.bytes.stack.saturating_sub(base.bytes.stack);
+        let more = deep.bytes[&Kind::Stack].saturating_sub(base.bytes[&Kind::Stack]);
         ensure!(
             (DEPTH..DEPTH + 64).contains(&more),
-            "the measurement of the stack is out of order on {}: {DEPTH} bytes are measured as {more}",
-            deep.core.title()
+            "the measurement of the stack is wrong on {}: {DEPTH} bytes are measured as {more}",
+            deep.place()
         );
     }
     Ok(())
@@ -229,14 +217,14 @@ fn check_stack(all: &[Measured]) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{budgets::tests::bytes, *};
 
-    pub(super) fn measured(scene: &'static str, level: Level, flash: u32, stack: u32) -> Measured {
+    pub(super) fn measured(scene: &str, level: Level, flash: u32, stack: u32) -> Measured {
         Measured {
             core: Core::M0plus,
-            level,
-            scene,
-            bytes: Bytes { flash, stack, ram: stack + 100 },
+            opt_level: level,
+            scene: scene.into(),
+            bytes: bytes(flash, stack, stack + 100),
             models: 24,
             checksum: 7,
             symbols: vec![],
@@ -244,11 +232,12 @@ mod tests {
     }
 
     #[test]
-    fn every_scene_has_its_program() {
-        for scene in SCENES {
-            let source =
-                firmware::root().join(format!("tests/firmware/src/bin/{}.rs", program(scene)));
-            assert!(source.is_file(), "{} is missing", source.display());
+    fn every_scene_has_a_budget() {
+        let (scenes, budgets) = (scenes().unwrap(), Budgets::load().unwrap());
+        assert!(scenes.contains(EMPTY) && scenes.contains(DEEP));
+        for scene in scenes.iter().filter(|scene| *scene != DEEP) {
+            let scene = scene.replace('_', "-");
+            assert!(budgets.of(Core::M4, Level::S, &scene).is_some(), "{scene} has no budget");
         }
     }
 
@@ -271,12 +260,5 @@ mod tests {
         assert!(check_pictures(&[cube(Level::S, 7), cube(Level::Three, 7)]).is_ok());
         assert!(check_pictures(&[cube(Level::S, 7), cube(Level::Three, 8)]).is_err());
         assert!(check_pictures(&[cube(Level::S, 0)]).is_err());
-    }
-
-    #[test]
-    fn only_cortex_m_is_measured() {
-        assert_eq!(cores(&[]).unwrap(), [Core::M0plus, Core::M4]);
-        assert_eq!(cores(&[Core::M4]).unwrap(), [Core::M4]);
-        assert!(cores(&[Core::Riscv]).is_err());
     }
 }

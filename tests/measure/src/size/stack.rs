@@ -1,16 +1,17 @@
-//! How much stack a program needs, by a run in QEMU.
+//! The stack that a program needs, measured in QEMU.
 //!
 //! The RAM from the end of the statics to the top of the stack is painted before the core starts:
 //! QEMU's loader writes a pattern there, and the runtime clears only the statics. When the program
-//! asks for a reset, QEMU stops instead, and the lowest word that has lost its paint is as far as
-//! the stack has come. Words that a function reserves and never writes keep theirs; below it they
-//! do not, as soon as it calls another. What interrupts add (32 bytes on a Cortex-M0+, 104 with
-//! an FPU in use, and their handlers) is not in it: nothing interrupts these programs.
+//! asks for a reset, QEMU stops instead, and the stack extends down to the lowest word that has
+//! lost its paint. Words that a function reserves and never writes keep theirs, but as soon as it
+//! calls another function, words below them lose it. Nothing interrupts these programs: what
+//! interrupts add (32 bytes on a Cortex-M0+, 104 with an FPU in use, and their handlers) is not
+//! included.
 
 use std::{
     fs,
     io::{BufRead as _, BufReader, Write as _},
-    path::{Path, PathBuf},
+    path::Path,
     process::{Child, Command, Stdio},
     sync::mpsc::{self, Receiver, RecvTimeoutError},
     thread,
@@ -23,19 +24,19 @@ use serde_json::{Value, json};
 use super::image::Image;
 use crate::cores::Core;
 
-/// What no program writes but by chance.
+/// A word that no program writes except by chance.
 const PAINT: u32 = 0x5AC3_96E1;
 
 /// The longest that a program may run.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// Where the firmware leaves the checksum of its pictures.
+/// The static in which the firmware leaves the checksum of its pictures.
 const CHECKSUM: &str = "firmware::sizes::CHECKSUM";
 
-/// What a run has left.
+/// What a run leaves in RAM.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Run {
-    /// The stack in bytes.
+    /// Bytes of stack.
     pub(crate) stack: u32,
     /// The checksum of the pictures.
     pub(crate) checksum: u32,
@@ -45,30 +46,28 @@ pub(crate) struct Run {
 ///
 /// # Errors
 ///
-/// If QEMU cannot be run, the program does not end, or its stack has reached its statics.
+/// Returns an error if QEMU cannot be run, the program does not end, or its stack reaches its
+/// statics.
 pub(crate) fn run(core: Core, program: &Path, image: &Image) -> Result<Run> {
     let bottom = image.statics.end.next_multiple_of(4);
     let free = image.stack_top.checked_sub(bottom);
     let free = free.context("the statics leave no room for a stack")? as usize;
-    let (paint, memory) = (beside(program, "paint"), beside(program, "memory"));
+    let [paint, memory] = ["paint", "memory"].map(|extension| program.with_extension(extension));
     fs::write(&paint, painted(free))
         .with_context(|| format!("{} cannot be written", paint.display()))?;
 
     let mut machine = Machine::start(core, program, &paint, bottom)?;
     machine.execute("cont", &json!({}))?;
-    let ended = machine.wait_for("STOP");
-    ended.with_context(|| {
-        format!(
-            "{} did not end on {}: it panics, or it is caught in a loop",
-            program.display(),
-            core.title()
-        )
+    machine.next(|value| value["event"] == "STOP").with_context(|| {
+        let (program, core) = (program.display(), core.title());
+        format!("{program} did not end on {core}: it panics or is in an endless loop")
     })?;
     let start = image.statics.start;
     let size = image.stack_top - start;
     let arguments = json!({ "val": start, "size": size, "filename": memory });
     machine.execute("pmemsave", &arguments)?;
-    machine.end()?;
+    machine.execute("quit", &json!({}))?;
+    machine.process.wait()?;
 
     let ram = fs::read(&memory).with_context(|| format!("{} cannot be read", memory.display()))?;
     for file in [paint, memory] {
@@ -89,15 +88,11 @@ fn painted(bytes: usize) -> Vec<u8> {
     PAINT.to_le_bytes().repeat(bytes / 4)
 }
 
-/// How many bytes from the first word without paint to the end.
+/// The number of bytes from the first word without paint to the end.
 fn used(memory: &[u8]) -> usize {
     let words = memory.chunks_exact(4);
     let intact = words.take_while(|word| **word == PAINT.to_le_bytes()).count();
     memory.len() - 4 * intact
-}
-
-fn beside(program: &Path, extension: &str) -> PathBuf {
-    program.with_extension(extension)
 }
 
 /// A running QEMU and its QMP connection: lines of JSON on its standard input and output (QEMU,
@@ -111,11 +106,12 @@ impl Machine {
     /// A board with a program that has not started yet.
     fn start(core: Core, program: &Path, paint: &Path, bottom: u32) -> Result<Self> {
         let mut process = Command::new(core.emulator())
-            .args(core.machine())
+            .arg("-machine")
+            .args(core.facts().board)
             .args([
                 "-S", "-display", "none", "-serial", "none", "-monitor", "none", "-qmp", "stdio",
             ])
-            // The program's last act is to ask for a reset: stop there, and keep the memory.
+            // The program ends by a reset: stop there, and keep the memory.
             .args(["-action", "reboot=shutdown,shutdown=pause"])
             .arg("-device")
             .arg(format!("loader,file={},addr={bottom:#x},force-raw=on", paint.display()))
@@ -129,7 +125,7 @@ impl Machine {
         let (sender, lines) = mpsc::channel();
         thread::spawn(move || {
             let values = BufReader::new(output).lines().map_while(Result::ok);
-            // The receiver is gone when nobody is interested any more.
+            // The receiver is dropped first when the machine is.
             let _ = values
                 .filter_map(|line| serde_json::from_str(&line).ok())
                 .try_for_each(|value| sender.send(value));
@@ -139,10 +135,10 @@ impl Machine {
         Ok(machine)
     }
 
-    /// Gives a command and waits for its result.
+    /// Sends a command and waits for its result.
     fn execute(&mut self, command: &str, arguments: &Value) -> Result<()> {
         let input = self.process.stdin.as_mut().context("QEMU has no input")?;
-        // In one piece: at the last brace of `quit` QEMU ends.
+        // In one write: QEMU ends at the last brace of `quit`.
         let line = json!({ "execute": command, "arguments": arguments }).to_string() + "\n";
         input.write_all(line.as_bytes())?;
         let answer =
@@ -154,11 +150,7 @@ impl Machine {
         }
     }
 
-    fn wait_for(&self, event: &str) -> Result<()> {
-        self.next(|value| value["event"] == event).map(drop)
-    }
-
-    /// The next message of a kind; others are passed over.
+    /// Waits for a message of a kind and skips others.
     fn next(&self, is_it: impl Fn(&Value) -> bool) -> Result<Value> {
         let end = Instant::now() + PATIENCE;
         loop {
@@ -171,12 +163,6 @@ impl Machine {
                 Err(RecvTimeoutError::Disconnected) => bail!("QEMU has ended"),
             }
         }
-    }
-
-    fn end(mut self) -> Result<()> {
-        self.execute("quit", &json!({}))?;
-        self.process.wait()?;
-        Ok(())
     }
 }
 

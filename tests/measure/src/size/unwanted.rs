@@ -1,11 +1,13 @@
-//! Code that no scene may bring: by the names of its symbols.
+//! Code that no scene may bring, found by the names of its symbols.
 //!
-//! The release profile keeps all symbols, and routines of the compiler and of `core` that are
-//! called are never without one, so that what is not found is not there. What was inlined into its
-//! callers alone leaves no name; the routines in question are too large for that, or marked as
-//! never to be inlined.
+//! The firmware's profile keeps all symbols, and every routine of the compiler and of `core` that
+//! is called has one: if the symbol is absent, the code was not linked. A function that is inlined
+//! into all its callers leaves no symbol; these routines are too large for that, or marked as never
+//! to be inlined.
 
-use std::fmt;
+use std::{fmt, sync::LazyLock};
+
+use regex_lite::Regex;
 
 /// A kind of code that is out of place on a microcontroller without FPU.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -16,9 +18,32 @@ pub(crate) enum Unwanted {
     LongDivision,
     /// Formatting of text.
     Formatting,
-    /// What a panic calls: a check that can fail at run time.
+    /// Calls of a panic: checks that can fail at run time.
     Panic,
 }
+
+/// Patterns of names. Routines have the names of the run-time ABI for the Arm architecture (IHI
+/// 0043, tables 2 to 8) or of libgcc (operation, then modes: `sf` for `f32`, `di` for `i64`, `ti`
+/// for `i128`, and so on), other functions those of paths in the sources.
+const PATTERNS: [(Unwanted, &str); 4] = [
+    (
+        Unwanted::SoftFloat,
+        "^__aeabi_(f|d|cf|cd|i2|ui2|l2|ul2|h2)|\
+         ^__(add|sub|mul|div|neg|cmp|unord|eq|ne|lt|le|gt|ge|pow|fix|float|extend|trunc).*[sdhtx]f|\
+         compiler_builtins::float::|micromath::",
+    ),
+    (
+        Unwanted::LongDivision,
+        "(^|::)(__aeabi_u?ldivmod|__u?(div|mod|divmod)[dt]i[34]|[^:]*(64|128)[^:]*_div_rem)$",
+    ),
+    (Unwanted::Formatting, "core::fmt::"),
+    (Unwanted::Panic, "panic|_fail(ed)?(::|$)|^rust_begin_unwind$"),
+];
+
+static REGEXES: LazyLock<Vec<(Unwanted, Regex)>> = LazyLock::new(|| {
+    let compiled = PATTERNS.iter().map(|(kind, text)| Some((*kind, Regex::new(text).ok()?)));
+    compiled.collect::<Option<_>>().expect("the patterns are regular expressions")
+});
 
 impl fmt::Display for Unwanted {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -32,164 +57,78 @@ impl fmt::Display for Unwanted {
 }
 
 impl Unwanted {
-    /// What the symbol of this name is, if it is unwanted.
-    ///
-    /// The names of routines are those of the run-time ABI for the Arm architecture (IHI 0043,
-    /// tables 2 to 8) and of libgcc, the others those of paths in the sources.
+    /// The kind of the symbol with this name, if it is unwanted.
     pub(crate) fn of(name: &str) -> Option<Self> {
-        // The type arguments of a function say nothing about what it does.
+        // The type arguments of a function do not matter.
         let path = name.split("::<").next().unwrap_or(name);
-        let is_in = |modules: &[&str]| modules.iter().any(|module| path.contains(module));
-        if is_float_routine(path) || is_in(&["compiler_builtins::float::", "micromath::"]) {
-            Some(Self::SoftFloat)
-        } else if is_long_division(path) {
-            Some(Self::LongDivision)
-        } else if is_in(&["core::fmt::"]) {
-            Some(Self::Formatting)
-        } else if is_panic(path) {
-            Some(Self::Panic)
-        } else {
-            None
-        }
+        REGEXES.iter().find(|(_, regex)| regex.is_match(path)).map(|(kind, _)| *kind)
     }
-}
-
-fn is_float_routine(name: &str) -> bool {
-    let Some(routine) = name.strip_prefix("__") else {
-        return false;
-    };
-    if let Some(routine) = routine.strip_prefix("aeabi_") {
-        let floats = ["f", "d", "cf", "cd", "i2", "ui2", "l2", "ul2", "h2"];
-        return floats.iter().any(|prefix| routine.starts_with(prefix));
-    }
-    // libgcc: operation, mode (sf, df; hf and tf too), and how many modes it names.
-    let stems = [
-        "add", "sub", "mul", "div", "neg", "cmp", "unord", "eq", "ne", "lt", "le", "gt", "ge",
-        "pow", "fix", "fixuns", "float", "floatun", "floatuns", "extend", "trunc",
-    ];
-    stems.iter().any(|stem| {
-        let rest = routine.strip_prefix(stem);
-        rest.is_some_and(|rest| {
-            ["sf", "df", "hf", "tf", "xf"].iter().any(|mode| rest.contains(mode))
-        })
-    })
-}
-
-fn is_long_division(path: &str) -> bool {
-    let routine = path.rsplit("::").next().unwrap_or(path);
-    let is_of_the_abi = ["__aeabi_ldivmod", "__aeabi_uldivmod"].contains(&routine);
-    // libgcc: operation and mode, `di` for 64 bits and `ti` for 128.
-    let stems = ["__div", "__udiv", "__mod", "__umod", "__divmod", "__udivmod"];
-    let is_of_libgcc = stems.iter().any(|stem| {
-        let mode = routine.strip_prefix(stem);
-        mode.is_some_and(|mode| ["di3", "ti3", "di4", "ti4"].contains(&mode))
-    });
-    is_of_the_abi
-        || is_of_libgcc
-        || (routine.ends_with("_div_rem") && (routine.contains("64") || routine.contains("128")))
-}
-
-fn is_panic(path: &str) -> bool {
-    let says_so =
-        |part: &str| part.contains("panic") || part.ends_with("_fail") || part.ends_with("_failed");
-    path == "rust_begin_unwind" || path.split("::").any(says_so)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn assert_all(names: &str, expected: Option<Unwanted>) {
+        for name in names.split(", ") {
+            assert_eq!(Unwanted::of(name), expected, "{name}");
+        }
+    }
+
     #[test]
     fn routines_for_floats_are_found_by_both_kinds_of_names() {
-        for name in [
-            "__aeabi_fadd",
-            "__aeabi_dmul",
-            "__aeabi_cfcmple",
-            "__aeabi_ui2f",
-            "__aeabi_ul2d",
-            "__aeabi_f2iz",
-            "__aeabi_d2f",
-            "__addsf3",
-            "__muldf3",
-            "__fixunssfdi",
-            "__floatundisf",
-            "__ltsf2",
-            "__extendsfdf2",
-            "compiler_builtins::float::add::__addsf3",
-            "micromath::float::floor::<impl micromath::float::F32>::floor",
-            "<micromath::float::F32>::sqrt",
-        ] {
-            assert_eq!(Unwanted::of(name), Some(Unwanted::SoftFloat), "{name}");
-        }
+        assert_all(
+            "__aeabi_fadd, __aeabi_dmul, __aeabi_cfcmple, __aeabi_ui2f, __aeabi_ul2d, \
+             __aeabi_f2iz, __aeabi_d2f, __addsf3, __muldf3, __fixunssfdi, __floatundisf, \
+             __ltsf2, __extendsfdf2, compiler_builtins::float::add::__addsf3, \
+             micromath::float::floor::<impl micromath::float::F32>::floor, \
+             <micromath::float::F32>::sqrt",
+            Some(Unwanted::SoftFloat),
+        );
     }
 
     #[test]
     fn long_divisions_are_told_from_short_ones() {
-        for name in [
-            "__aeabi_uldivmod",
-            "__aeabi_ldivmod",
-            "__udivdi3",
-            "compiler_builtins::int::sdiv::__divmoddi4",
-            "compiler_builtins::int::specialized_div_rem::u64_div_rem",
-        ] {
-            assert_eq!(Unwanted::of(name), Some(Unwanted::LongDivision), "{name}");
-        }
-        for name in [
-            "__aeabi_uidiv",
-            "__aeabi_idivmod",
-            "__udivsi3",
-            "compiler_builtins::int::specialized_div_rem::u32_div_rem",
-        ] {
-            assert_eq!(Unwanted::of(name), None, "{name}");
-        }
+        assert_all(
+            "__aeabi_uldivmod, __aeabi_ldivmod, __udivdi3, \
+             compiler_builtins::int::sdiv::__divmoddi4, \
+             compiler_builtins::int::specialized_div_rem::u64_div_rem",
+            Some(Unwanted::LongDivision),
+        );
+        assert_all(
+            "__aeabi_uidiv, __aeabi_idivmod, __udivsi3, \
+             compiler_builtins::int::specialized_div_rem::u32_div_rem",
+            None,
+        );
     }
 
     #[test]
     fn formatting_and_panics_are_found() {
-        for name in [
-            "core::fmt::write",
-            "<core::fmt::Formatter>::pad",
-            "<u32 as core::fmt::Display>::fmt",
-            "<rasterizer::scene::error::ProjectError as core::fmt::Debug>::fmt",
-        ] {
-            assert_eq!(Unwanted::of(name), Some(Unwanted::Formatting), "{name}");
-        }
-        for name in [
-            "core::panicking::panic_fmt",
-            "core::panicking::panic_const::panic_const_div_by_zero",
-            "core::option::unwrap_failed",
-            "core::option::expect_failed",
-            "core::slice::index::slice_end_index_len_fail",
-            "core::slice::index::slice_index_fail::do_panic::runtime",
-            "core::cell::panic_already_borrowed",
-            "<[u8]>::copy_from_slice_impl::len_mismatch_fail",
-            "rust_begin_unwind",
-        ] {
-            assert_eq!(Unwanted::of(name), Some(Unwanted::Panic), "{name}");
-        }
+        assert_all(
+            "core::fmt::write, <core::fmt::Formatter>::pad, <u32 as core::fmt::Display>::fmt, \
+             <rasterizer::scene::error::ProjectError as core::fmt::Debug>::fmt",
+            Some(Unwanted::Formatting),
+        );
+        assert_all(
+            "core::panicking::panic_fmt, core::panicking::panic_const::panic_const_div_by_zero, \
+             core::option::unwrap_failed, core::option::expect_failed, rust_begin_unwind, \
+             core::slice::index::slice_end_index_len_fail, core::cell::panic_already_borrowed, \
+             core::slice::index::slice_index_fail::do_panic::runtime, \
+             <[u8]>::copy_from_slice_impl::len_mismatch_fail",
+            Some(Unwanted::Panic),
+        );
     }
 
     #[test]
-    fn what_every_firmware_has_is_not_unwanted() {
-        for name in [
-            "Reset",
-            "main",
-            "__aeabi_memcpy",
-            "__aeabi_memclr8",
-            "__aeabi_lmul",
-            "__aeabi_llsl",
-            "__muldi3",
-            "__clzsi2",
-            "__ashldi3",
-            "compiler_builtins::int::mul::__muldi3",
-            "compiler_builtins::mem::memset",
-            "<rasterizer::numbers::float::Float>::times",
-            "rasterizer::geometry::clip::crossing::<[u16; 0]>",
-            // A type argument names it, the function is another.
-            "firmware::sizes::run::<core::fmt::Error>",
-            "<rasterizer::mesh::Mesh>::failsafe",
-        ] {
-            assert_eq!(Unwanted::of(name), None, "{name}");
-        }
+    fn code_that_every_firmware_has_is_not_unwanted() {
+        // A type argument of the last but one names it, the function is another.
+        assert_all(
+            "Reset, main, __aeabi_memcpy, __aeabi_memclr8, __aeabi_lmul, __aeabi_llsl, __muldi3, \
+             __clzsi2, __ashldi3, compiler_builtins::int::mul::__muldi3, \
+             compiler_builtins::mem::memset, <rasterizer::numbers::float::Float>::times, \
+             rasterizer::geometry::clip::crossing::<[u16; 0]>, \
+             firmware::sizes::run::<core::fmt::Error>, <rasterizer::mesh::Mesh>::failsafe",
+            None,
+        );
     }
 }

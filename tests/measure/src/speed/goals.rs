@@ -1,16 +1,22 @@
-//! Where the figures should be, and where the best other renderer is.
+//! The targets of the project, and the figures of the best other renderer.
 
-use super::figures::Scene;
+use super::scene::{Key, Scene};
 use crate::cores::Core;
 
-/// For a frame, in instructions.
+/// Instructions for a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Goal {
-    /// At most this.
+    /// The most that a frame should take.
     pub(super) target: u64,
     /// What small3dlib 0.905d takes (gcc 12 -O3, in QEMU as here): no sub-pixels, no vertex reuse,
     /// no light.
     pub(super) rival: u64,
+}
+
+impl Goal {
+    pub(super) const fn is_met(self, scene: &Scene) -> bool {
+        scene.frame <= self.target
+    }
 }
 
 /// Scene, core, precision. Small3dlib's sphere-flat on the M4 is from a Cortex-M3.
@@ -31,25 +37,26 @@ const fn goal(target: u64, rival: u64) -> Goal {
     Goal { target, rival }
 }
 
-/// The goal for a scene on a core, if there is one: for the precision that suits the core, whole
-/// frames.
-pub(super) fn of(core: Core, scene: &Scene) -> Option<Goal> {
-    let is_meant = |(name, of, precision, _): &&(&str, Core, &str, Goal)| {
-        scene.key() == [*name, *precision, "whole"] && *of == core
+/// Returns the goal of a scene on a core. Only whole frames in the precision that suits the core
+/// have one.
+pub(super) fn of(core: Core, key: &Key) -> Option<Goal> {
+    let is_of = |(scene, goal_core, precision, _): &&(&str, Core, &str, Goal)| {
+        (key.scene.as_str(), core, key.precision.as_str()) == (*scene, *goal_core, *precision)
     };
-    GOALS.iter().find(is_meant).map(|(.., goal)| *goal)
+    let goal = GOALS.iter().find(is_of).map(|(.., goal)| *goal);
+    goal.filter(|_| key.mode == "whole")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::speed::figures::tests::speed;
+    use crate::speed::scene::tests::speed;
 
     #[test]
     fn a_goal_is_for_one_core_and_precision() {
-        let scene = speed(Core::M0plus, "cube-flat", 9_000).cores[0].figures.scenes[0].clone();
-        assert_eq!(of(Core::M0plus, &scene), Some(goal(110_000, 160_000)));
-        assert_eq!(of(Core::M4, &scene), None);
-        assert_eq!(of(Core::M0plus, &Scene { mode: "bands".into(), ..scene }), None);
+        let key = speed(Core::M0plus, "cube-flat", 9_000).cores[0].figures.scenes[0].key.clone();
+        assert_eq!(of(Core::M0plus, &key), Some(goal(110_000, 160_000)));
+        assert_eq!(of(Core::M4, &key), None);
+        assert_eq!(of(Core::M0plus, &Key { mode: "bands".into(), ..key }), None);
     }
 }
