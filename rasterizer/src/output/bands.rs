@@ -109,10 +109,8 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
         let needed = area.size.width as usize * area.size.height as usize;
         let color = self.color.as_mut().get_mut(..needed);
         let color = color.ok_or(FrameError::ColorLength { needed })?;
-        if !self.depth.holds(needed) {
-            return Err(FrameError::DepthLength { needed });
-        }
-        let mut band = Frame::part(color, self.depth.lend(), area, area.size.width);
+        let depth = self.depth.lend(needed).ok_or(FrameError::DepthLength { needed })?;
+        let mut band = Frame::part(color, depth, area);
         band.clear_depth();
         Ok(band)
     }

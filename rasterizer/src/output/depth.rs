@@ -40,11 +40,14 @@ mod private {
         /// Whether there are at least `count` cells.
         fn holds(&self, count: usize) -> bool;
 
-        /// Lends all cells.
-        fn lend(&mut self) -> Lent<'_, Self>;
+        /// Lends the first `count` cells; `None` if there are fewer.
+        fn lend(&mut self, count: usize) -> Option<Lent<'_, Self>>;
 
-        /// Sets cells to the far end of the range.
-        fn clear(&mut self, cells: core::ops::Range<usize>);
+        /// Sets all cells to the far end of the range.
+        fn clear(&mut self);
+
+        /// Sets some cells to the far end of the range.
+        fn clear_part(&mut self, cells: core::ops::Range<usize>);
 
         /// Calls `visit` with all cells.
         fn with<R>(&mut self, visit: impl FnOnce(&mut [Self::Format]) -> R) -> R;
@@ -84,17 +87,20 @@ impl<D: StoredDepth> Cells for &mut [D] {
     }
 
     #[inline(always)]
-    fn lend(&mut self) -> &mut [D] {
-        self
+    fn lend(&mut self, count: usize) -> Option<&mut [D]> {
+        self.get_mut(..count)
     }
 
-    fn clear(&mut self, cells: core::ops::Range<usize>) {
-        let cells = self.get_mut(cells).unwrap_or_default();
+    fn clear(&mut self) {
         // All bits of a zero are 0, in words of any size.
-        let (start, words, end) = bytemuck::pod_align_to_mut::<D, u32>(cells);
+        let (start, words, end) = bytemuck::pod_align_to_mut::<D, u32>(self);
         start.fill(D::ZERO);
         clear_words(words);
         end.fill(D::ZERO);
+    }
+
+    fn clear_part(&mut self, cells: core::ops::Range<usize>) {
+        self.get_mut(cells).unwrap_or_default().clear();
     }
 
     #[inline(always)]
@@ -133,11 +139,13 @@ impl Cells for NoDepth {
         true
     }
 
-    fn lend(&mut self) -> Self {
-        Self
+    fn lend(&mut self, _: usize) -> Option<Self> {
+        Some(Self)
     }
 
-    fn clear(&mut self, _: core::ops::Range<usize>) {}
+    fn clear(&mut self) {}
+
+    fn clear_part(&mut self, _: core::ops::Range<usize>) {}
 
     /// Its cells have no size, so that there are enough of them for any frame.
     #[inline(always)]

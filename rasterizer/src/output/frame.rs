@@ -1,6 +1,6 @@
 //! A rectangle of the display in the caller's memory: the whole of it, or a band of rows.
 
-use core::{convert::Infallible, ops::Range};
+use core::{convert::Infallible, marker::PhantomData, ops::Range};
 
 use embedded_graphics_core::{
     Pixel,
@@ -26,14 +26,46 @@ use crate::{
 /// It is a [`DrawTarget`] too, in the display's coordinates and clipped to its rectangle: text,
 /// primitives and images of embedded-graphics go under the objects or over them. They leave the
 /// depth as it is.
+///
+/// `R` says whether its rows lie one after the other ([`Packed`]) or in a larger buffer
+/// ([`Strided`]).
 #[derive(Debug)]
-pub struct Frame<'a, C, B> {
+pub struct Frame<'a, C, B, R = Packed> {
     color: &'a mut [C],
     depth: B,
     area: Rectangle,
     window: Window,
     /// An address is an index of the buffers.
     layout: Layout,
+    rows: PhantomData<R>,
+}
+
+/// How the rows of a frame lie in memory: [`Packed`] or [`Strided`].
+pub trait Rows: private::Sealed {
+    /// Whether there is no gap between two rows.
+    const ARE_PACKED: bool;
+}
+
+/// One after the other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Packed;
+
+/// With gaps between them, in a larger buffer.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct Strided;
+
+impl Rows for Packed {
+    const ARE_PACKED: bool = true;
+}
+
+impl Rows for Strided {
+    const ARE_PACKED: bool = false;
+}
+
+mod private {
+    pub trait Sealed {}
+    impl Sealed for super::Packed {}
+    impl Sealed for super::Strided {}
 }
 
 /// Memory of the wrong size.
@@ -83,7 +115,9 @@ impl<'a, C: Copy, D: StoredDepth> Frame<'a, C, &'a mut [D]> {
     ) -> Result<Self, FrameError> {
         Self::packed(color, depth, area)
     }
+}
 
+impl<'a, C: Copy, D: StoredDepth> Frame<'a, C, &'a mut [D], Strided> {
     /// A frame in a larger buffer, such as a display controller's: its rows begin `stride` pixels
     /// apart, in `color` and in `depth`. Both begin with the frame's first pixel.
     ///
@@ -110,7 +144,9 @@ impl<'a, C: Copy> Frame<'a, C, NoDepth> {
     pub fn without_depth(color: &'a mut [C], area: Rectangle) -> Result<Self, FrameError> {
         Self::packed(color, NoDepth, area)
     }
+}
 
+impl<'a, C: Copy> Frame<'a, C, NoDepth, Strided> {
     /// A frame without a depth buffer in a larger buffer: its rows begin `stride` pixels apart, the
     /// first one where `color` does.
     ///
@@ -127,7 +163,7 @@ impl<'a, C: Copy> Frame<'a, C, NoDepth> {
 }
 
 impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B> {
-    /// Rows without gaps, in memory of just their size.
+    /// A frame in memory of just its size.
     fn packed(color: &'a mut [C], depth: B, area: Rectangle) -> Result<Self, FrameError> {
         let Size { width, height } = area.size;
         let needed = width as usize * height as usize;
@@ -137,9 +173,17 @@ impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B> {
         if !depth.is_of(needed) {
             return Err(FrameError::DepthLength { needed });
         }
-        Ok(Self::part(color, depth, area, width))
+        Ok(Self::part(color, depth, area))
     }
 
+    /// A frame in memory of just its size, which has been checked.
+    #[inline(always)]
+    pub(super) fn part(color: &'a mut [C], depth: B, area: Rectangle) -> Self {
+        Self::in_rows(color, depth, area, area.size.width)
+    }
+}
+
+impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B, Strided> {
     fn strided(
         color: &'a mut [C],
         depth: B,
@@ -161,21 +205,27 @@ impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B> {
             return Err(FrameError::DepthLength { needed });
         }
         let color = color.get_mut(..needed).unwrap_or_default();
-        Ok(Self::part(color, depth, area, stride))
+        Ok(Self::in_rows(color, depth, area, stride))
     }
+}
 
-    /// A frame in memory that is long enough.
-    pub(super) fn part(color: &'a mut [C], depth: B, area: Rectangle, stride: u32) -> Self {
+impl<'a, C: Copy, B: DepthBuffer, R: Rows> Frame<'a, C, B, R> {
+    #[inline(always)]
+    fn in_rows(color: &'a mut [C], depth: B, area: Rectangle, stride: u32) -> Self {
         let (window, pitch) = (Window::new(&area), stride as i32);
         let origin = window.top.wrapping_mul(pitch).wrapping_add(window.left);
-        Self { color, depth, area, window, layout: Layout { pitch, origin } }
+        Self { color, depth, area, window, layout: Layout { pitch, origin }, rows: PhantomData }
     }
 
     /// Sets the depth of all pixels to the far end, and leaves their colours, for a background that
     /// is drawn already.
     pub fn clear_depth(&mut self) {
-        for block in self.blocks() {
-            self.depth.clear(block.pixels);
+        if R::ARE_PACKED {
+            self.depth.clear();
+        } else {
+            for row in self.rows() {
+                self.depth.clear_part(row);
+            }
         }
     }
 
@@ -204,53 +254,15 @@ impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B> {
         self.layout.pitch as usize
     }
 
-    /// The rows, in blocks that have no gap: all of them, or one by one.
-    const fn blocks(&self) -> Blocks {
-        let is_packed = self.layout.pitch as u32 == self.area.size.width;
-        Blocks {
-            rest: self.area,
-            rows: if is_packed { self.area.size.height } else { 1 },
-            start: 0,
-            pitch: self.layout.pitch as usize,
-        }
+    /// The addresses of the rows from the top.
+    fn rows(&self) -> impl Iterator<Item = Range<usize>> + use<C, B, R> {
+        let Size { width, height } = self.area.size;
+        let (width, stride) = (width as usize, self.stride());
+        (0..height as usize).map(move |row| row * stride..row * stride + width)
     }
 }
 
-/// Rows whose pixels lie in memory one after the other.
-struct Block {
-    area: Rectangle,
-    pixels: Range<usize>,
-}
-
-/// The blocks of a frame, from the top.
-struct Blocks {
-    rest: Rectangle,
-    rows: u32,
-    start: usize,
-    pitch: usize,
-}
-
-impl Iterator for Blocks {
-    type Item = Block;
-
-    #[inline(always)]
-    fn next(&mut self) -> Option<Block> {
-        let Rectangle { top_left, size } = self.rest;
-        if size.width == 0 || size.height == 0 {
-            return None;
-        }
-        let area = Rectangle::new(top_left, Size::new(size.width, self.rows));
-        let pixels = self.start..self.start + size.width as usize * self.rows as usize;
-        self.rest = Rectangle::new(
-            Point::new(top_left.x, top_left.y.wrapping_add(self.rows as i32)),
-            Size::new(size.width, size.height - self.rows),
-        );
-        self.start += self.pitch;
-        Some(Block { area, pixels })
-    }
-}
-
-impl<C: PixelColor, B: DepthBuffer> Frame<'_, C, B> {
+impl<C: PixelColor, B: DepthBuffer, R: Rows> Frame<'_, C, B, R> {
     /// Sends the pixels to the display: in one run, or row by row if the frame lies in a larger
     /// buffer.
     ///
@@ -258,15 +270,20 @@ impl<C: PixelColor, B: DepthBuffer> Frame<'_, C, B> {
     ///
     /// Returns the display's error.
     pub fn present<T: DrawTarget<Color = C>>(&self, display: &mut T) -> Result<(), T::Error> {
-        for Block { area, pixels } in self.blocks() {
-            let pixels = self.color.get(pixels).unwrap_or_default();
+        if R::ARE_PACKED {
+            return display.fill_contiguous(&self.area, self.color.iter().copied());
+        }
+        let Rectangle { top_left, size } = self.area;
+        for (y, row) in (top_left.y..).zip(self.rows()) {
+            let area = Rectangle::new(Point::new(top_left.x, y), Size::new(size.width, 1));
+            let pixels = self.color.get(row).unwrap_or_default();
             display.fill_contiguous(&area, pixels.iter().copied())?;
         }
         Ok(())
     }
 }
 
-impl<C: StoredColor, B: DepthBuffer> Frame<'_, C, B> {
+impl<C: StoredColor, B: DepthBuffer, R: Rows> Frame<'_, C, B, R> {
     /// Sets all pixels to one colour and their depth to the far end.
     pub fn clear(&mut self, color: C) {
         self.clear_color(color);
@@ -275,8 +292,13 @@ impl<C: StoredColor, B: DepthBuffer> Frame<'_, C, B> {
 
     /// Sets all pixels to one colour, and leaves their depth.
     pub fn clear_color(&mut self, color: C) {
-        for block in self.blocks() {
-            fill_all(C::Fill::new(color), self.color.get_mut(block.pixels).unwrap_or_default());
+        let fill = C::Fill::new(color);
+        if R::ARE_PACKED {
+            fill_all(fill, self.color);
+        } else {
+            for row in self.rows() {
+                fill.run(self.color.get_mut(row).unwrap_or_default());
+            }
         }
     }
 
@@ -298,7 +320,7 @@ impl<C: StoredColor, B: DepthBuffer> Frame<'_, C, B> {
     }
 }
 
-impl<C: StoredColor, B: DepthBuffer> Target for Frame<'_, C, B> {
+impl<C: StoredColor, B: DepthBuffer, R: Rows> Target for Frame<'_, C, B, R> {
     type Color = C;
     type Depth = B::Format;
     type Error = Infallible;
@@ -332,7 +354,7 @@ impl<C: StoredColor, B: DepthBuffer> Target for Frame<'_, C, B> {
     }
 }
 
-impl<C: StoredColor, B: DepthBuffer> Readable for Frame<'_, C, B> {
+impl<C: StoredColor, B: DepthBuffer, R: Rows> Readable for Frame<'_, C, B, R> {
     #[inline(never)]
     fn blend<Q: Primitive<Depth = Self::Depth>, O: Outcome<C>>(
         &mut self,
@@ -345,13 +367,13 @@ impl<C: StoredColor, B: DepthBuffer> Readable for Frame<'_, C, B> {
     }
 }
 
-impl<C, B> Dimensions for Frame<'_, C, B> {
+impl<C, B, R> Dimensions for Frame<'_, C, B, R> {
     fn bounding_box(&self) -> Rectangle {
         self.area
     }
 }
 
-impl<C: StoredColor + PixelColor, B: DepthBuffer> DrawTarget for Frame<'_, C, B> {
+impl<C: StoredColor + PixelColor, B: DepthBuffer, R: Rows> DrawTarget for Frame<'_, C, B, R> {
     type Color = C;
     type Error = Infallible;
 

@@ -17,7 +17,7 @@ pub use color::StoredColor;
 pub use depth::{DepthBuffer, FrameDepth, StoredDepth};
 pub use direct::Direct;
 pub use fill::{Fill, PixelFill, WordFill};
-pub use frame::{Frame, FrameError};
+pub use frame::{Frame, FrameError, Packed, Rows, Strided};
 
 use crate::{
     attribute::DepthFormat,

@@ -14,7 +14,7 @@ use rasterizer::{
     camera::Camera,
     geometry::{Pose, Projection, ScreenVertex},
     numbers::{Rotation, Subpixel, Turn, Vec3},
-    output::{BandAreas, Direct, Frame, Replace, StoredDepth},
+    output::{self, Direct, Replace, StoredDepth},
     scene::{Mode, Object},
     shade::Shader,
 };
@@ -102,13 +102,8 @@ where
         display: &mut Display,
     ) -> Option<()> {
         let seen = object.project(camera, &mut self.vertices).ok()?;
-        for rows in BandAreas::new(Self::PICTURE, ROWS) {
-            let mut band = Frame::new(&mut self.color, &mut self.depth, rows).ok()?;
-            band.clear(Rgb565::BLACK);
-            let Ok(()) = seen.draw(&mut band);
-            let Ok(()) = band.present(display);
-        }
-        Some(())
+        let mut bands = output::Bands::new(Self::PICTURE, &mut self.color, &mut self.depth).ok()?;
+        bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
     }
 
     /// The same with the triangles sorted into the bands.
@@ -125,13 +120,8 @@ where
     ) -> Option<()> {
         let seen = object.project(camera, &mut self.vertices).ok()?;
         let seen = seen.binned(ROWS, bins).ok()?;
-        for rows in BandAreas::new(Self::PICTURE, ROWS) {
-            let mut band = Frame::new(&mut self.color, &mut self.depth, rows).ok()?;
-            band.clear(Rgb565::BLACK);
-            let Ok(()) = seen.draw(&mut band);
-            let Ok(()) = band.present(display);
-        }
-        Some(())
+        let mut bands = output::Bands::new(Self::PICTURE, &mut self.color, &mut self.depth).ok()?;
+        bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
     }
 }
 
@@ -152,13 +142,8 @@ where
         display: &mut Display,
     ) -> Option<()> {
         let seen = object.project(camera, &mut self.vertices).ok()?;
-        for rows in BandAreas::new(Self::PICTURE, ROWS) {
-            let mut band = Frame::without_depth(&mut self.color, rows).ok()?;
-            band.clear(Rgb565::BLACK);
-            let Ok(()) = seen.draw(&mut band);
-            let Ok(()) = band.present(display);
-        }
-        Some(())
+        let mut bands = output::Bands::without_depth(Self::PICTURE, &mut self.color).ok()?;
+        bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
     }
 
     /// The same straight onto the display, as far as the camera's viewport goes.

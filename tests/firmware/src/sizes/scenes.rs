@@ -13,7 +13,7 @@ use rasterizer::{
     geometry::{ClipAll, ClipNone, Clipping, CullNone, Projection, ScreenVertex},
     mesh::Mesh,
     numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
-    output::{BandAreas, Frame, StoredDepth},
+    output::{self, StoredDepth},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, Unlit},
 };
@@ -352,14 +352,17 @@ impl Store {
             .culled(CullNone)
             .project(&eye, &mut self.plain)
             .ok()?;
-        for rows in BandAreas::new(PICTURE, ROWS) {
-            let mut band = Frame::new(&mut self.color, &mut self.near, rows).ok()?;
-            band.clear(Rgb565::BLACK);
-            let (Ok(()), Ok(()), Ok(())) =
-                (smooth.draw(&mut band), faceted.draw(&mut band), plain.draw(&mut band));
-            let Ok(()) = band.present(display);
-        }
-        Some(())
+        let mut bands = output::Bands::new(PICTURE, &mut self.color, &mut self.near).ok()?;
+        let shown = bands.show(
+            display,
+            |band| band.clear_color(Rgb565::BLACK),
+            |band| {
+                smooth.draw(band)?;
+                faceted.draw(band)?;
+                plain.draw(band)
+            },
+        );
+        shown.ok()
     }
 
     #[inline(never)]
@@ -383,12 +386,15 @@ impl Store {
             .culled(CullNone)
             .project(&eye, &mut self.faceted_wide)
             .ok()?;
-        for rows in BandAreas::new(PICTURE, ROWS) {
-            let mut band = Frame::new(&mut self.color, &mut self.wide, rows).ok()?;
-            band.clear(Rgb565::BLACK);
-            let (Ok(()), Ok(())) = (smooth.draw(&mut band), faceted.draw(&mut band));
-            let Ok(()) = band.present(display);
-        }
-        Some(())
+        let mut bands = output::Bands::new(PICTURE, &mut self.color, &mut self.wide).ok()?;
+        let shown = bands.show(
+            display,
+            |band| band.clear_color(Rgb565::BLACK),
+            |band| {
+                smooth.draw(band)?;
+                faceted.draw(band)
+            },
+        );
+        shown.ok()
     }
 }
