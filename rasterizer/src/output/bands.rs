@@ -103,16 +103,25 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
     /// # Errors
     ///
     /// If the memory is too small.
-    // codegen: inlined, because the frame would be copied.
-    #[inline(always)]
     pub fn band(&mut self, area: Rectangle) -> Result<Frame<'_, C, Lent<'_, B>>, FrameError> {
         let needed = area.size.width as usize * area.size.height as usize;
-        let color = self.color.as_mut().get_mut(..needed);
-        let color = color.ok_or(FrameError::ColorLength { needed })?;
-        let depth = self.depth.lend(needed).ok_or(FrameError::DepthLength { needed })?;
-        let mut band = Frame::part(color, depth, area);
+        if self.color.as_mut().len() < needed {
+            return Err(FrameError::ColorLength { needed });
+        }
+        if !self.depth.holds(needed) {
+            return Err(FrameError::DepthLength { needed });
+        }
+        Ok(self.part(area))
+    }
+
+    /// A band as a frame with a cleared depth, in memory that is large enough.
+    #[inline(always)]
+    fn part(&mut self, area: Rectangle) -> Frame<'_, C, Lent<'_, B>> {
+        let pixels = area.size.width as usize * area.size.height as usize;
+        let color = self.color.as_mut().get_mut(..pixels).unwrap_or_default();
+        let mut band = Frame::part(color, self.depth.lend(pixels), area);
         band.clear_depth();
-        Ok(band)
+        band
     }
 
     /// Gives the bands other memory for their pixels, and returns what they had: with a finished
@@ -144,8 +153,7 @@ impl<M: AsMut<[C]>, C: StoredColor + PixelColor, B: DepthBuffer> Bands<M, C, B> 
         mut draw: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>) -> Result<(), Infallible>,
     ) -> Result<(), T::Error> {
         for area in self.areas {
-            // The memory holds each of the areas.
-            let Ok(mut band) = self.band(area) else { break };
+            let mut band = self.part(area);
             background(&mut band);
             let Ok(()) = draw(&mut band);
             band.present(display)?;

@@ -40,8 +40,8 @@ mod private {
         /// Whether there are at least `count` cells.
         fn holds(&self, count: usize) -> bool;
 
-        /// Lends the first `count` cells; `None` if there are fewer.
-        fn lend(&mut self, count: usize) -> Option<Lent<'_, Self>>;
+        /// Lends the first `count` cells; none if there are fewer.
+        fn lend(&mut self, count: usize) -> Lent<'_, Self>;
 
         /// Sets all cells to the far end of the range.
         fn clear(&mut self);
@@ -87,8 +87,8 @@ impl<D: StoredDepth> Cells for &mut [D] {
     }
 
     #[inline(always)]
-    fn lend(&mut self, count: usize) -> Option<&mut [D]> {
-        self.get_mut(..count)
+    fn lend(&mut self, count: usize) -> &mut [D] {
+        self.get_mut(..count).unwrap_or_default()
     }
 
     fn clear(&mut self) {
@@ -120,9 +120,8 @@ fn clear_words(words: &mut [u32]) {
         run.iter_mut().for_each(|word| *word = zero);
     }
     for word in rest {
-        // Rolled, or the compiler makes a case of each length.
-        codegen::keep_rolled();
-        *word = zero;
+        // As above, or the compiler makes a case of each length.
+        *word = codegen::unknown(zero);
     }
 }
 
@@ -139,8 +138,8 @@ impl Cells for NoDepth {
         true
     }
 
-    fn lend(&mut self, _: usize) -> Option<Self> {
-        Some(Self)
+    fn lend(&mut self, _: usize) -> Self {
+        Self
     }
 
     fn clear(&mut self) {}

@@ -53,19 +53,20 @@ where
         band_rows: u32,
         storage: &'b mut [u32],
     ) -> Result<Projected<'a, V, P, Sh, M, Bins<'b>>, ProjectError> {
-        let viewport = *self.viewport();
+        let seen = &self.seen;
+        let viewport = seen.viewport;
         let bands = BandMap::new((viewport.bottom - viewport.top) as u32, band_rows);
-        let needed = self.triangle_count().div_ceil(32) * bands.count;
+        let needed = seen.triangle_count().div_ceil(32) * bands.count;
         let words = storage.get_mut(..needed).ok_or(ProjectError::BinStorage { needed })?;
         words.fill(0);
-        self.for_each_touching(|index, touched| {
+        seen.for_each_touching(|index, touched| {
             let first = index / 32 * bands.count;
             let reached = bands.reached(touched, &viewport);
             if let Some(words) = words.get_mut(first + reached.start..first + reached.end) {
                 mark(words, FIRST >> (index % 32));
             }
         });
-        Ok(self.in_order(Bins { words, bands }))
+        Ok(Projected { seen: self.seen, order: Bins { words, bands } })
     }
 }
 

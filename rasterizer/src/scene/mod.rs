@@ -20,6 +20,7 @@ mod mode;
 mod needs;
 mod order;
 mod projected;
+mod seen;
 mod vertices;
 
 pub use bins::{Bins, bin_words};
@@ -148,10 +149,10 @@ impl<'a, Sh: Shader, M: Mode> Object<'a, Sh, M> {
         storage: &'v mut [ScreenVertex<S, D, OnScreen<Sh>>],
     ) -> Result<Stored<'v, 'a, S, D, P, Sh, M>, ProjectError> {
         let vertices = self.room_in(storage)?;
-        let mut seen = Projected::new(self, camera, &[][..]);
-        seen.check()?;
-        seen.place(vertices);
-        Ok(seen)
+        let mut projected = Projected::new(self, camera, &[][..]);
+        projected.seen.check()?;
+        projected.seen.place(vertices);
+        Ok(projected)
     }
 
     /// The part of the storage that the object needs, if its mesh has the tables that its shader
@@ -179,9 +180,9 @@ impl<'a, Sh: Shader, M: Mode> Object<'a, Sh, M> {
         precision: S,
     ) -> Result<Projected<'a, OnDemand<S, D>, P, Sh, M>, ProjectError> {
         error::check_tables(self.mesh.tables(), Sh::TABLES)?;
-        let seen = Projected::new(self, camera, OnDemand::new(precision));
-        seen.check()?;
-        Ok(seen)
+        let projected = Projected::new(self, camera, OnDemand::new(precision));
+        projected.seen.check()?;
+        Ok(projected)
     }
 
     /// Draws it: [`project`](Self::project) and [`Projected::draw`] in one step.
@@ -201,9 +202,9 @@ impl<'a, Sh: Shader, M: Mode> Object<'a, Sh, M> {
         // codegen: built here, because what `project` returns would be copied, and both copies stay
         // on the stack while triangles are drawn.
         let vertices = self.room_in(storage)?;
-        let mut seen = Projected::new(self, camera, &[][..]);
-        seen.check().map_err(ProjectError::from)?;
-        seen.place(vertices);
-        seen.draw(target).map_err(DrawError::Target)
+        let mut projected = Projected::new(self, camera, &[][..]);
+        projected.seen.check().map_err(ProjectError::from)?;
+        projected.seen.place(vertices);
+        projected.draw(target).map_err(DrawError::Target)
     }
 }

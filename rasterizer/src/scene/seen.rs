@@ -1,0 +1,310 @@
+//! An object as the camera sees it: which of its triangles are visible, and where.
+
+use core::{convert::Infallible, ops::Range};
+
+use embedded_graphics_core::primitives::Rectangle;
+use heapless::Vec;
+
+use super::{MeshOrder, Mode, Object, Vertices, order::Sequence, vertices::Lookup};
+use crate::{
+    attribute::DepthFormat,
+    camera::Camera,
+    geometry::{
+        ClipVertex, Clipping, Culling, MAX_CORNERS, PoseError, Projection, ScreenVertex, Transform,
+        clip,
+    },
+    mesh::{MeshMaterial, MeshVertex, Tables},
+    numbers::{Subpixel, codegen},
+    raster::{Window, first_center, signed_area},
+    shade::{OnScreen, Shader},
+};
+
+/// The corners of a triangle on the screen.
+pub(super) type Corners<'s, S, D, Sh> = [&'s ScreenVertex<S, D, OnScreen<Sh>>; 3];
+/// The corners of a clipped triangle.
+type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, OnScreen<Sh>>, MAX_CORNERS>;
+
+/// What all orders of an object's triangles share.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seen<'a, V, P: Projection, Sh: Shader, M> {
+    pub(super) tables: &'a Tables<'a>,
+    pub(super) shader: Sh,
+    transform: Transform<P>,
+    pub(super) vertices: V,
+    /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices.
+    /// Always false with `ClipNone`.
+    pub(super) is_outside_view: bool,
+    pub(super) viewport: Window,
+    pub(super) mode: M,
+}
+
+impl<'a, V, P: Projection, Sh: Shader, M: Mode> Seen<'a, V, P, Sh, M> {
+    /// An object whose mesh has the tables that its shader reads. Valid once
+    /// [`check`](Self::check) has succeeded.
+    #[inline(always)]
+    pub(super) fn new(object: &Object<'a, Sh, M>, camera: &Camera<P>, vertices: V) -> Self {
+        let tables = object.mesh.tables();
+        let mut seen = Self {
+            tables,
+            shader: object.shader.for_object(&object.pose),
+            transform: Transform::new(camera, &object.pose, tables),
+            vertices,
+            is_outside_view: false,
+            viewport: camera_window(&camera.viewport()),
+            mode: object.mode,
+        };
+        seen.is_outside_view =
+            M::Clipping::CUTS && seen.transform.is_outside_view(object.mesh.bounds(), seen.size());
+        seen
+    }
+}
+
+impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
+    /// Checks that the object fits the camera's number range. Call this first: no other method is
+    /// valid until it succeeds.
+    pub(super) fn check(&self) -> Result<(), PoseError> {
+        self.transform.check()
+    }
+
+    /// The same with vertices from elsewhere.
+    pub(super) fn over<W>(self, vertices: W) -> Seen<'a, W, P, Sh, M> {
+        Seen {
+            tables: self.tables,
+            shader: self.shader,
+            transform: self.transform,
+            vertices,
+            is_outside_view: self.is_outside_view,
+            viewport: self.viewport,
+            mode: self.mode,
+        }
+    }
+
+    pub(super) const fn triangle_count(&self) -> usize {
+        self.tables.triangles.len()
+    }
+
+    /// Width and height of the viewport in pixels.
+    const fn size(&self) -> [i32; 2] {
+        let Window { left, top, right, bottom } = self.viewport;
+        [right - left, bottom - top]
+    }
+
+    /// Builds a material's surface in place.
+    // codegen: not inlined, so that its temporaries leave the stack before triangles are drawn.
+    #[inline(never)]
+    pub(super) fn prepare(&self, material: usize, surface: &mut Option<Sh::Surface>) {
+        *surface = Some(self.shader.surface(&MeshMaterial::new(self.tables, material)));
+    }
+}
+
+impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, M>
+    Seen<'_, &'v [ScreenVertex<S, D, OnScreen<Sh>>], P, Sh, M>
+{
+    /// Projects all vertices into `storage`, which must hold exactly as many as the mesh has.
+    pub(super) fn place(&mut self, storage: &'v mut [ScreenVertex<S, D, OnScreen<Sh>>]) {
+        if !self.is_outside_view {
+            place(self.tables, &self.shader, &self.transform, storage);
+            self.vertices = storage;
+        }
+    }
+}
+
+impl<V, P, Sh, M> Seen<'_, V, P, Sh, M>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
+{
+    /// Visits the triangles that may touch pixels of the viewport, with the smallest window round
+    /// the centres inside them. A triangle that is clipped may be visited several times.
+    pub(super) fn for_each_touching(&self, mut visit: impl FnMut(usize, &Window)) {
+        let all = (&MeshOrder, &(), 0..self.triangle_count());
+        let rows = Rows::of::<V::Subpixel>(&self.viewport);
+        let mut lookup = self.vertices.lookup();
+        let Ok(()) = self.for_each_visible(all, rows, &mut lookup, |index, corners, _| {
+            let touched = window_of(corners).intersection(&self.viewport);
+            if !touched.is_empty() {
+                visit(index, &touched);
+            }
+            Ok::<(), Infallible>(())
+        });
+    }
+
+    /// Visits those of the triangles that are seen and may reach `rows`, with their signed areas.
+    // codegen: not inlined, because the loop needs its registers.
+    #[inline(never)]
+    pub(super) fn for_each_visible<E, R: Sequence>(
+        &self,
+        (order, reach, run): (&R, &R::Reach, Range<usize>),
+        rows: Rows,
+        lookup: &mut V::Lookup,
+        mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>, i64) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if self.is_outside_view {
+            return Ok(());
+        }
+        let table = self.tables.triangles;
+        // Cut to the table here, where compilers see that no index of the run lies beyond it.
+        for index in order.indices(run.start..run.end.min(table.len()), reach) {
+            let Some(indices) = table.get(index) else {
+                break;
+            };
+            let place = |index| {
+                on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
+            };
+            let Some(corners) = lookup.corners(indices, place) else {
+                break;
+            };
+            if corners.iter().all(|corner| corner.is_on_screen()) {
+                if let Some(area) = Self::visible_area(corners, rows) {
+                    visit(index, corners, area)?;
+                }
+            } else if M::Clipping::CUTS {
+                // Most triangles that reach out of the guard band have nothing in the picture.
+                if self.is_triangle_outside_view(index) {
+                    continue;
+                }
+                let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+                self.clip(index, &mut polygon);
+                let Some((hub, rim)) = polygon.split_first() else {
+                    continue;
+                };
+                for pair in rim.windows(2) {
+                    let corners = [hub, &pair[0], &pair[1]];
+                    if let Some(area) = Self::visible_area(corners, rows) {
+                        visit(index, corners, area)?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The signed area of a triangle that is seen and may reach `rows`.
+    #[inline(always)]
+    fn visible_area(corners: Corners<'_, V::Subpixel, V::Depth, Sh>, rows: Rows) -> Option<i64> {
+        let area = signed_area(corners);
+        // Counter-clockwise is negative, as y runs downwards.
+        let is_seen = (area < 0 && M::Culling::FRONT) || (area > 0 && M::Culling::BACK);
+        (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
+    }
+
+    /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the
+    /// same plane.
+    // codegen: separate from the box test; sharing one function cost 230 bytes of stack in a
+    // parallel projection.
+    #[cold]
+    #[inline(never)]
+    fn is_triangle_outside_view(&self, index: usize) -> bool {
+        let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
+            let position = self.tables.positions.get(index).unwrap_or_default();
+            bits & self.transform.beyond(position, self.size())
+        });
+        beyond_all != 0
+    }
+
+    /// Clips a triangle against the near plane, far plane and guard band, into `corners`, which must
+    /// be empty. (An out-parameter, because a returned polygon would be copied.)
+    #[cold]
+    #[inline(never)]
+    fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
+        let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let triangle = indices.into_iter().map(|index| {
+            let vertex = MeshVertex::new(self.tables, index);
+            let [x, y, z] = self.transform.object_to_clip_outlined(vertex.position());
+            let varyings = self.shader.vertex(&vertex);
+            ClipVertex { x, y, z, varyings }
+        });
+        clip(triangle, &self.transform, |vertex| {
+            // There are as many places as `clip` has.
+            let _ = corners.push(self.transform.clip_to_screen(vertex));
+        });
+    }
+}
+
+/// The pixels of a camera's viewport, which is nowhere near the ends of `i32`: 40 bytes of flash
+/// less than `Window::new`.
+const fn camera_window(viewport: &Rectangle) -> Window {
+    let (corner, size) = (viewport.top_left, viewport.size);
+    Window {
+        left: corner.x,
+        top: corner.y,
+        right: corner.x + size.width as i32,
+        bottom: corner.y + size.height as i32,
+    }
+}
+
+/// Works out the vertices on the screen, as many as there is room for. A function of its own: the
+/// loop needs its registers.
+#[inline(never)]
+fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
+    tables: &Tables<'_>,
+    shader: &Sh,
+    transform: &Transform<P>,
+    vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+) {
+    let count = vertices.len();
+    let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
+        return;
+    };
+    // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
+    // fields out of the loop, spills them, and copies a factor before each multiplication.
+    let mut transform = transform.clone_by_fields();
+    codegen::in_memory(&mut transform);
+    for (index, vertex) in (0..count).zip(vertices) {
+        codegen::keep_rolled();
+        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
+    }
+}
+
+/// A vertex on the screen.
+#[inline(always)]
+fn on_screen<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
+    shader: &Sh,
+    transform: &Transform<P>,
+    vertex: &MeshVertex<'_>,
+) -> ScreenVertex<S, D, OnScreen<Sh>> {
+    let varyings = shader.vertex(vertex);
+    transform.clip_to_screen(transform.object_to_clip(vertex.position(), varyings))
+}
+
+/// The columns and rows whose centres lie between the corners of a triangle.
+fn window_of<S: Subpixel, D, V>(corners: [&ScreenVertex<S, D, V>; 3]) -> Window {
+    let [a, b, c] = corners;
+    Window {
+        left: first_center::<S>(a.x.min(b.x).min(c.x)),
+        top: first_center::<S>(a.y.min(b.y).min(c.y)),
+        right: first_center::<S>(a.x.max(b.x).max(c.x)),
+        bottom: first_center::<S>(a.y.max(b.y).max(c.y)),
+    }
+}
+
+/// Rows of pixels, by their first and last centre in sub-pixels.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rows {
+    first: i32,
+    last: i32,
+}
+
+impl Rows {
+    pub(super) const ALL: Self = Self { first: i32::MIN, last: i32::MAX };
+
+    /// Those of a window that is not empty.
+    pub(super) const fn of<S: Subpixel>(window: &Window) -> Self {
+        let half = 1 << (S::BITS - 1);
+        Self {
+            first: (window.top << S::BITS) + half,
+            last: ((window.bottom - 1) << S::BITS) + half,
+        }
+    }
+
+    /// Whether a triangle with corners at these heights ends above all centres or begins below:
+    /// most of a mesh's triangles do so in most of a frame's bands.
+    #[inline(always)]
+    const fn are_missed_by(self, [a, b, c]: [i32; 3]) -> bool {
+        (a < self.first && b < self.first && c < self.first)
+            || (a > self.last && b > self.last && c > self.last)
+    }
+}
