@@ -22,8 +22,7 @@ pub struct Perspective {
 }
 
 /// The size on the screen of an object as wide as it is far away.
-// codegen: its tag is a word. The error of a camera's constructor is kept in the tag's other values,
-// and with a tag of one byte a camera is copied in unaligned pieces, by calls of `memcpy`.
+// codegen: its tag is a word, like `CameraError`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[repr(u32)]
 enum Focal {
