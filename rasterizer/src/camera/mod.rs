@@ -20,10 +20,7 @@ pub const MAX_VIEWPORT: u32 = 2048;
 pub const MAX_VIEWPORT_OFFSET: i32 = 16_384;
 
 /// What is wrong with a camera.
-// codegen: a word, like the tag of `Focal`. A byte would split a camera that is returned into
-// unaligned pieces, which are copied by calls of `memcpy`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u32)]
 pub enum CameraError {
     /// The field of view is 0, or half a turn or more.
     FieldOfView,

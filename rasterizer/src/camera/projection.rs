@@ -22,9 +22,7 @@ pub struct Perspective {
 }
 
 /// The size on the screen of an object as wide as it is far away.
-// codegen: its tag is a word, like `CameraError`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-#[repr(u32)]
 enum Focal {
     /// In half heights of the viewport: the cotangent of half the vertical field of view.
     HalfHeights(Float),
