@@ -71,21 +71,6 @@ impl<P: Projection> Transform<P> {
         }
     }
 
-    /// A copy, field by field: for one of the whole compilers call `memcpy`, 370 bytes where
-    /// nothing else does.
-    #[inline(always)]
-    pub(crate) const fn clone_by_fields(&self) -> Self {
-        Self {
-            x: self.x,
-            y: self.y,
-            z: self.z,
-            near: self.near,
-            far: self.far,
-            lens: self.lens,
-            center: self.center,
-        }
-    }
-
     /// Whether the object is small enough for the projection's numbers; nothing else can be asked
     /// if it isn't.
     pub(crate) fn check(&self) -> Result<(), PoseError> {
@@ -144,8 +129,7 @@ impl<P: Projection> Transform<P> {
     /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
-        let corners = cuboid.corners();
-        corners.iter().fold(0b11_1111, |bits, &corner| bits & self.beyond(corner, size)) != 0
+        (0..8).fold(0b11_1111, |bits, index| bits & self.beyond(cuboid.corner(index), size)) != 0
     }
 
     /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of
