@@ -249,12 +249,13 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
         return;
     };
-    // codegen: opaque, so that its fields are read for every vertex. Otherwise LLVM hoists them out
-    // of the loop, spills them, and copies a factor before each multiplication.
-    let transform = codegen::unknown(transform);
+    // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
+    // fields out of the loop, spills them, and copies a factor before each multiplication.
+    let mut transform = *transform;
+    codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        *vertex = on_screen(shader, transform, &MeshVertex::new(&tables, index));
+        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
     }
 }
 
