@@ -159,7 +159,12 @@ where
             let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
             // The triangle is a fan of one; what clipping leaves of it may be one of several.
             let (mut fan, mut rim) = (corners, Default::default());
-            if !corners.iter().all(|corner| corner.is_on_screen()) {
+            let mut area = if corners.iter().all(|corner| corner.is_on_screen()) {
+                let Some(area) = Self::visible_area(corners, rows) else {
+                    continue;
+                };
+                Some(area)
+            } else {
                 // Most triangles that reach out of the guard band have nothing in the picture.
                 if !M::Clipping::CUTS || self.is_triangle_outside_view(index) {
                     continue;
@@ -169,16 +174,18 @@ where
                     continue;
                 };
                 (fan, rim) = ([hub, first, second], rest);
-            }
+                Self::visible_area_outlined(fan, rows)
+            };
             // codegen: one call of `visit`, so that it is inlined.
             loop {
-                if let Some(area) = Self::visible_area(fan, rows) {
+                if let Some(area) = area {
                     visit(index, fan, area)?;
                 }
                 let Some((next, rest)) = rim.split_first() else {
                     break;
                 };
                 (fan, rim) = ([fan[0], fan[2], next], rest);
+                area = Self::visible_area_outlined(fan, rows);
             }
         }
         Ok(())
@@ -191,6 +198,16 @@ where
         // Counter-clockwise is negative, as y runs downwards.
         let is_seen = (area < 0 && M::Culling::FRONT) || (area > 0 && M::Culling::BACK);
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
+    }
+
+    /// The same for the few triangles that are clipped.
+    #[cold]
+    #[inline(never)]
+    fn visible_area_outlined(
+        corners: Corners<'_, V::Subpixel, V::Depth, Sh>,
+        rows: Rows,
+    ) -> Option<i64> {
+        Self::visible_area(corners, rows)
     }
 
     /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the
@@ -254,7 +271,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     };
     // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
     // fields out of the loop, spills them, and copies a factor before each multiplication.
-    let mut transform = *transform;
+    let mut transform = transform.clone_by_fields();
     codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
