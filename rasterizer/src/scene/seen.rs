@@ -156,36 +156,39 @@ where
             let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
-            let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
-            // The triangle is a fan of one; what clipping leaves of it may be one of several.
-            let (mut fan, mut rim) = (corners, Default::default());
-            let mut area = if corners.iter().all(|corner| corner.is_on_screen()) {
-                let Some(area) = Self::visible_area(corners, rows) else {
-                    continue;
-                };
-                Some(area)
-            } else {
-                // Most triangles that reach out of the guard band have nothing in the picture.
-                if !M::Clipping::CUTS || self.is_triangle_outside_view(index) {
-                    continue;
+            if corners.iter().all(|corner| corner.is_on_screen()) {
+                if let Some(area) = Self::visible_area(corners, rows) {
+                    visit(index, corners, area)?;
                 }
-                self.clip(index, &mut polygon);
-                let [hub, first, second, rest @ ..] = polygon.as_slice() else {
-                    continue;
-                };
-                (fan, rim) = ([hub, first, second], rest);
-                Self::visible_area_outlined(fan, rows)
-            };
-            // codegen: one call of `visit`, so that it is inlined.
-            loop {
-                if let Some(area) = area {
-                    visit(index, fan, area)?;
-                }
-                let Some((next, rest)) = rim.split_first() else {
-                    break;
-                };
-                (fan, rim) = ([fan[0], fan[2], next], rest);
-                area = Self::visible_area_outlined(fan, rows);
+            } else if M::Clipping::CUTS {
+                self.for_each_clipped(index, rows, &mut visit)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Visits those triangles of what clipping leaves of one that are seen and may reach `rows`.
+    #[cold]
+    #[inline(never)]
+    fn for_each_clipped<E>(
+        &self,
+        index: usize,
+        rows: Rows,
+        mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>, i64) -> Result<(), E>,
+    ) -> Result<(), E> {
+        // Most triangles that reach out of the guard band have nothing in the picture.
+        if self.is_triangle_outside_view(index) {
+            return Ok(());
+        }
+        let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+        self.clip(index, &mut polygon);
+        let Some((hub, rim)) = polygon.split_first() else {
+            return Ok(());
+        };
+        for pair in rim.windows(2) {
+            let corners = [hub, &pair[0], &pair[1]];
+            if let Some(area) = Self::visible_area(corners, rows) {
+                visit(index, corners, area)?;
             }
         }
         Ok(())
@@ -198,16 +201,6 @@ where
         // Counter-clockwise is negative, as y runs downwards.
         let is_seen = (area < 0 && M::Culling::FRONT) || (area > 0 && M::Culling::BACK);
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
-    }
-
-    /// The same for the few triangles that are clipped.
-    #[cold]
-    #[inline(never)]
-    fn visible_area_outlined(
-        corners: Corners<'_, V::Subpixel, V::Depth, Sh>,
-        rows: Rows,
-    ) -> Option<i64> {
-        Self::visible_area(corners, rows)
     }
 
     /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the
