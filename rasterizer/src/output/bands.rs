@@ -9,7 +9,10 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use super::{DepthBuffer, Frame, FrameError, StoredColor, StoredDepth, depth::Lent};
+use super::{
+    DepthBuffer, Frame, FrameError, StoredColor, StoredDepth,
+    depth::{Cells as _, Lent},
+};
 use crate::{attribute::NoDepth, numbers::divide};
 
 /// A rectangle of the display in bands of rows, which are drawn and sent one after the other.
@@ -61,6 +64,8 @@ impl<'d, M: AsMut<[C]>, C: Copy, D: StoredDepth> Bands<M, C, &'d mut [D]> {
             .ok_or(FrameError::ColorLength { needed: width })?;
         let rows = rows
             .min(whole_rows(depth.len(), &area).ok_or(FrameError::DepthLength { needed: width })?);
+        // Cells beyond a band would be cleared for nothing.
+        let depth = depth.cut(rows as usize * width);
         Ok(Self::over(BandAreas::new(area, rows), color, depth))
     }
 }
@@ -121,7 +126,7 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
         let color = self.color.as_mut();
         let color_pixels = pixels.min(color.len());
         let color = color.get_mut(..color_pixels).unwrap_or_default();
-        let mut band = Frame::part(color, self.depth.lend(pixels), area);
+        let mut band = Frame::part(color, self.depth.lend(), area);
         band.clear_depth();
         band
     }

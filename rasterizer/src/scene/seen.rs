@@ -161,34 +161,21 @@ where
                     visit(index, corners, area)?;
                 }
             } else if M::Clipping::CUTS {
-                self.for_each_clipped(index, rows, &mut visit)?;
-            }
-        }
-        Ok(())
-    }
-
-    /// Visits those triangles of what clipping leaves of one that are seen and may reach `rows`.
-    #[cold]
-    #[inline(never)]
-    fn for_each_clipped<E>(
-        &self,
-        index: usize,
-        rows: Rows,
-        mut visit: impl FnMut(usize, Corners<'_, V::Subpixel, V::Depth, Sh>, i64) -> Result<(), E>,
-    ) -> Result<(), E> {
-        // Most triangles that reach out of the guard band have nothing in the picture.
-        if self.is_triangle_outside_view(index) {
-            return Ok(());
-        }
-        let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
-        self.clip(index, &mut polygon);
-        let Some((hub, rim)) = polygon.split_first() else {
-            return Ok(());
-        };
-        for pair in rim.windows(2) {
-            let corners = [hub, &pair[0], &pair[1]];
-            if let Some(area) = Self::visible_area(corners, rows) {
-                visit(index, corners, area)?;
+                // Most triangles that reach out of the guard band have nothing in the picture.
+                if self.is_triangle_outside_view(index) {
+                    continue;
+                }
+                let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+                self.clip(index, &mut polygon);
+                let Some((hub, rim)) = polygon.split_first() else {
+                    continue;
+                };
+                for pair in rim.windows(2) {
+                    let corners = [hub, &pair[0], &pair[1]];
+                    if let Some(area) = Self::visible_area(corners, rows) {
+                        visit(index, corners, area)?;
+                    }
+                }
             }
         }
         Ok(())
