@@ -9,10 +9,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use super::{
-    DepthBuffer, Frame, FrameError, StoredColor, StoredDepth,
-    depth::{Cells as _, Lent},
-};
+use super::{DepthBuffer, Frame, FrameError, StoredColor, StoredDepth, depth::Lent};
 use crate::{attribute::NoDepth, numbers::divide};
 
 /// A rectangle of the display in bands of rows, which are drawn and sent one after the other.
@@ -64,8 +61,6 @@ impl<'d, M: AsMut<[C]>, C: Copy, D: StoredDepth> Bands<M, C, &'d mut [D]> {
             .ok_or(FrameError::ColorLength { needed: width })?;
         let rows = rows
             .min(whole_rows(depth.len(), &area).ok_or(FrameError::DepthLength { needed: width })?);
-        // Cells beyond a band would be cleared for nothing.
-        let depth = depth.cut(rows as usize * width);
         Ok(Self::over(BandAreas::new(area, rows), color, depth))
     }
 }
@@ -126,7 +121,7 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
         let color = self.color.as_mut();
         let color_pixels = pixels.min(color.len());
         let color = color.get_mut(..color_pixels).unwrap_or_default();
-        let mut band = Frame::part(color, self.depth.lend(), area);
+        let mut band = Frame::part(color, self.depth.lend(pixels), area);
         band.clear_depth();
         band
     }

@@ -40,11 +40,8 @@ mod private {
         /// Whether there are at least `count` cells.
         fn holds(&self, count: usize) -> bool;
 
-        /// The first `count` cells, or all if there are fewer.
-        fn cut(self, count: usize) -> Self;
-
-        /// Lends all cells.
-        fn lend(&mut self) -> Lent<'_, Self>;
+        /// Lends the first `count` cells, or all if there are fewer.
+        fn lend(&mut self, count: usize) -> Lent<'_, Self>;
 
         /// Sets all cells to the far end of the range.
         fn clear(&mut self);
@@ -90,14 +87,9 @@ impl<D: StoredDepth> Cells for &mut [D] {
     }
 
     #[inline(always)]
-    fn cut(self, count: usize) -> Self {
+    fn lend(&mut self, count: usize) -> &mut [D] {
         let count = count.min(self.len());
         self.get_mut(..count).unwrap_or_default()
-    }
-
-    #[inline(always)]
-    fn lend(&mut self) -> &mut [D] {
-        self
     }
 
     fn clear(&mut self) {
@@ -152,11 +144,7 @@ impl Cells for NoDepth {
         true
     }
 
-    fn cut(self, _: usize) -> Self {
-        Self
-    }
-
-    fn lend(&mut self) -> Self {
+    fn lend(&mut self, _: usize) -> Self {
         Self
     }
 
