@@ -172,7 +172,7 @@ where
                 };
                 for pair in rim.windows(2) {
                     let corners = [hub, &pair[0], &pair[1]];
-                    if let Some(area) = Self::visible_area_outlined(corners, rows) {
+                    if let Some(area) = Self::visible_area(corners, rows) {
                         visit(index, corners, area)?;
                     }
                 }
@@ -188,16 +188,6 @@ where
         // Counter-clockwise is negative, as y runs downwards.
         let is_seen = (area < 0 && M::Culling::FRONT) || (area > 0 && M::Culling::BACK);
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
-    }
-
-    /// The same for the few triangles that are clipped.
-    #[cold]
-    #[inline(never)]
-    fn visible_area_outlined(
-        corners: Corners<'_, V::Subpixel, V::Depth, Sh>,
-        rows: Rows,
-    ) -> Option<i64> {
-        Self::visible_area(corners, rows)
     }
 
     /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the
@@ -261,7 +251,9 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     };
     // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
     // fields out of the loop, spills them, and copies a factor before each multiplication.
-    let mut transform = transform.clone_by_fields();
+    // Surfaces of over 16 words are copied by `memcpy`: where it is linked, it copies this too.
+    let mut transform =
+        if size_of::<Sh::Surface>() > 64 { *transform } else { transform.clone_by_fields() };
     codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
