@@ -16,15 +16,28 @@ pub struct Window {
 }
 
 impl Window {
-    /// The pixels of a rectangle; none if it reaches beyond the range of `i32`.
+    /// The pixels of a rectangle.
     #[must_use]
     pub const fn new(rectangle: &Rectangle) -> Self {
         let (corner, size) = (rectangle.top_left, rectangle.size);
         Self {
             left: corner.x,
             top: corner.y,
-            right: corner.x.wrapping_add_unsigned(size.width),
-            bottom: corner.y.wrapping_add_unsigned(size.height),
+            right: corner.x.saturating_add_unsigned(size.width),
+            bottom: corner.y.saturating_add_unsigned(size.height),
+        }
+    }
+
+    /// The pixels of a rectangle within the range of `i32`: 40 bytes of flash less than
+    /// [`new`](Self::new). One that reaches beyond it has no pixels.
+    #[inline(always)]
+    pub(crate) const fn within_range(rectangle: &Rectangle) -> Self {
+        let (corner, size) = (rectangle.top_left, rectangle.size);
+        Self {
+            left: corner.x,
+            top: corner.y,
+            right: corner.x.wrapping_add(size.width as i32),
+            bottom: corner.y.wrapping_add(size.height as i32),
         }
     }
 

@@ -2,7 +2,6 @@
 
 use core::{convert::Infallible, ops::Range};
 
-use embedded_graphics_core::primitives::Rectangle;
 use heapless::Vec;
 
 use super::{MeshOrder, Mode, Object, Vertices, order::Sequence, vertices::Lookup};
@@ -50,7 +49,7 @@ impl<'a, V, P: Projection, Sh: Shader, M: Mode> Seen<'a, V, P, Sh, M> {
             transform: Transform::new(camera, &object.pose, tables),
             vertices,
             is_outside_view: false,
-            viewport: camera_window(&camera.viewport()),
+            viewport: Window::within_range(&camera.viewport()),
             mode: object.mode,
         };
         seen.is_outside_view =
@@ -221,18 +220,6 @@ where
             // There are as many places as `clip` has.
             let _ = corners.push(self.transform.clip_to_screen(vertex));
         });
-    }
-}
-
-/// The pixels of a camera's viewport, which is nowhere near the ends of `i32`: 40 bytes of flash
-/// less than `Window::new`.
-const fn camera_window(viewport: &Rectangle) -> Window {
-    let (corner, size) = (viewport.top_left, viewport.size);
-    Window {
-        left: corner.x,
-        top: corner.y,
-        right: corner.x + size.width as i32,
-        bottom: corner.y + size.height as i32,
     }
 }
 
