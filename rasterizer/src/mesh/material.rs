@@ -2,18 +2,18 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 
-use super::{Material, Tables};
+use super::Material;
 
 /// A material of a mesh.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct MeshMaterial<'a> {
-    tables: &'a Tables<'a>,
+    material: &'a Material,
     index: usize,
 }
 
 impl<'a> MeshMaterial<'a> {
-    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { tables, index }
+    pub(crate) const fn new(material: &'a Material, index: usize) -> Self {
+        Self { material, index }
     }
 
     /// Its place in the table, from 0.
@@ -22,9 +22,9 @@ impl<'a> MeshMaterial<'a> {
         self.index
     }
 
-    /// Its colour; black if there is no such material.
+    /// Its colour.
     #[must_use]
-    pub fn rgb(&self) -> Rgb888 {
-        self.tables.materials.get(self.index).map_or(Rgb888::new(0, 0, 0), Material::rgb)
+    pub const fn rgb(&self) -> Rgb888 {
+        self.material.rgb()
     }
 }

@@ -2,7 +2,10 @@
 
 use core::ops::Range;
 
-use crate::{mesh::Material, raster::Window};
+use crate::{
+    mesh::{Material, MeshMaterial},
+    raster::Window,
+};
 
 /// The order of an object's triangles: [`MeshOrder`], or [`Bins`](super::Bins) that leave out those
 /// that miss a band.
@@ -11,7 +14,7 @@ pub trait Order: Copy + Sequence {}
 mod private {
     use core::ops::Range;
 
-    use super::{Material, Window, for_each_material};
+    use super::{Material, MeshMaterial, Window, for_each_material};
 
     /// A sequence of triangles.
     pub trait Sequence {
@@ -25,13 +28,12 @@ mod private {
         /// The part that may reach a window of the viewport.
         fn reach(&self, window: &Window, viewport: &Window) -> Self::Reach;
 
-        /// Visits the runs of triangles of one material: the material's index, and the triangles'
-        /// places in the sequence.
+        /// Visits the runs of triangles of one material, with the triangles' places in the sequence.
         #[inline(always)]
         fn for_each_run<E>(
             &self,
             materials: &[Material],
-            visit: impl FnMut(usize, Range<usize>) -> Result<(), E>,
+            visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
         ) -> Result<(), E> {
             for_each_material(materials, visit)
         }
@@ -62,16 +64,16 @@ impl Sequence for MeshOrder {
     }
 }
 
-/// Visits the materials by their indices, with the triangles that each covers.
+/// Visits the materials with the triangles that each covers.
 #[inline(always)]
 fn for_each_material<E>(
     materials: &[Material],
-    mut visit: impl FnMut(usize, Range<usize>) -> Result<(), E>,
+    mut visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut first = 0;
     for (index, material) in materials.iter().enumerate() {
         let end = first + material.triangle_count as usize;
-        visit(index, first..end)?;
+        visit(MeshMaterial::new(material, index), first..end)?;
         first = end;
     }
     Ok(())
