@@ -4,7 +4,7 @@
 use super::Pose;
 use crate::{
     mesh::Tables,
-    numbers::{Float, IS_NARROW, Vec3, codegen::keep_rolled, normalised},
+    numbers::{Float, IS_NARROW, Vec3, codegen, normalised},
 };
 
 /// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
@@ -102,14 +102,13 @@ impl Terms {
         // Added up in a unit in which none of the four reaches 2^28, with what rounding takes off
         // them.
         let mut most = self.translation.exponent;
-        for reach in &self.reaches {
-            keep_rolled();
+        let reaches = codegen::unknown(self.reaches.as_slice());
+        for reach in reaches {
             most = most.max(reach.exponent);
         }
         let unit = most + 31 - 28;
         let mut sum = self.translation.in_units_of(unit).unsigned_abs() + 4;
-        for reach in &self.reaches {
-            keep_rolled();
+        for reach in reaches {
             sum += reach.in_units_of(unit).unsigned_abs();
         }
         let (_, leading_zeros) = normalised(sum);

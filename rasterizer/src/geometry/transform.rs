@@ -10,7 +10,7 @@ use crate::{
     attribute::{DepthFormat, Interpolate, Varyings},
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Subpixel, mul_high, saturate},
+    numbers::{Subpixel, codegen, mul_high, saturate},
 };
 
 /// A point in clip space.
@@ -144,7 +144,8 @@ impl<P: Projection> Transform<P> {
     /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
-        (0..8).fold(0b11_1111, |bits, index| bits & self.beyond(cuboid.corner(index), size)) != 0
+        let beyond = |index| self.beyond(cuboid.corner(index), size);
+        (0..codegen::unknown(8)).fold(0b11_1111, |bits, index| bits & beyond(index)) != 0
     }
 
     /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of

@@ -88,11 +88,11 @@ impl Rotation {
     #[inline(never)]
     pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
         let mut turned = [0; 3];
-        for (column, turned) in turned.iter_mut().enumerate() {
-            codegen::keep_rolled();
+        for (column, turned) in codegen::unknown(turned.as_mut_slice()).iter_mut().enumerate() {
             let mut sum = 1 << 29;
             for (row, &v) in self.rows.iter().zip(v) {
-                sum += i64::from(row[column].to_bits()) * i64::from(v);
+                sum += i64::from(row.get(column).copied().unwrap_or_default().to_bits())
+                    * i64::from(v);
             }
             *turned = (sum >> 30) as i32;
         }
