@@ -4,7 +4,7 @@
 use super::Pose;
 use crate::{
     mesh::Tables,
-    numbers::{Float, IS_NARROW, Vec3, normalised},
+    numbers::{Float, IS_NARROW, Vec3, codegen::keep_rolled, normalised},
 };
 
 /// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
@@ -101,12 +101,17 @@ impl Terms {
     pub(super) fn magnitude(&self) -> i32 {
         // Added up in a unit in which none of the four reaches 2^28, with what rounding takes off
         // them.
-        let most =
-            self.reaches.iter().fold(self.translation.exponent, |most, m| most.max(m.exponent));
+        let mut most = self.translation.exponent;
+        for reach in &self.reaches {
+            keep_rolled();
+            most = most.max(reach.exponent);
+        }
         let unit = most + 31 - 28;
-        let at_most = |m: Float| m.in_units_of(unit).unsigned_abs();
-        let sum =
-            self.reaches.iter().fold(at_most(self.translation) + 4, |sum, &m| sum + at_most(m));
+        let mut sum = self.translation.in_units_of(unit).unsigned_abs() + 4;
+        for reach in &self.reaches {
+            keep_rolled();
+            sum += reach.in_units_of(unit).unsigned_abs();
+        }
         let (_, leading_zeros) = normalised(sum);
         unit + 32 - leading_zeros as i32
     }

@@ -4,7 +4,7 @@ use core::ops::Mul;
 
 use fixed::types::I2F30;
 
-use super::{Scalar, Turn, Vec3, root::unit};
+use super::{Scalar, Turn, Vec3, codegen, root::unit};
 
 /// A rotation: a matrix in Q30 that multiplies column vectors from the left.
 ///
@@ -89,12 +89,12 @@ impl Rotation {
     pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
         let mut turned = [0; 3];
         for (column, turned) in turned.iter_mut().enumerate() {
-            let products = self
-                .rows
-                .iter()
-                .zip(v)
-                .map(|(row, &v)| i64::from(row[column].to_bits()) * i64::from(v));
-            *turned = ((products.sum::<i64>() + (1 << 29)) >> 30) as i32;
+            codegen::keep_rolled();
+            let mut sum = 1 << 29;
+            for (row, &v) in self.rows.iter().zip(v) {
+                sum += i64::from(row[column].to_bits()) * i64::from(v);
+            }
+            *turned = (sum >> 30) as i32;
         }
         turned
     }
