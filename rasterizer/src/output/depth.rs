@@ -125,9 +125,10 @@ fn clear_words(words: &mut [u32]) {
     for run in runs {
         run.iter_mut().for_each(|word| *word = zero);
     }
-    for word in rest {
-        // As above, or the compiler makes a case of each length.
-        *word = codegen::unknown(zero);
+    // Of unknown length, or the compiler makes a case of each.
+    for word in codegen::unknown(rest) {
+        codegen::keep_rolled();
+        *word = zero;
     }
 }
 
