@@ -119,7 +119,8 @@ impl<D: StoredDepth> Cells for &mut [D] {
 // codegen: not inlined. In a large function it takes three times as long on the M0+.
 #[inline(never)]
 fn clear_words(words: &mut [u32]) {
-    let zero = codegen::unknown(0);
+    // Opaque, or the loops are unrolled for a buffer whose place and length are constants.
+    let (words, zero) = (codegen::unknown(words), codegen::unknown(0));
     // Shorter runs are repeated by the compiler until they take twice the flash.
     let (runs, rest) = words.as_chunks_mut::<64>();
     for run in runs {
