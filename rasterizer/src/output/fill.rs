@@ -141,10 +141,12 @@ fn fill_words(words: &mut [u32], value: u32) {
     }
 }
 
-/// Sets all pixels, in a function of its own for what is done once a frame.
+/// Sets all pixels, once a frame or a band.
+// codegen: not inlined; and opaque, or the loops are made for a constant colour, by calls of
+// `memset`.
 #[inline(never)]
 pub(super) fn fill_all<C, F: Fill<C>>(fill: F, pixels: &mut [C]) {
-    fill.run(pixels);
+    codegen::unknown(fill).run(codegen::unknown(pixels));
 }
 
 #[cfg(test)]
