@@ -141,12 +141,10 @@ fn fill_words(words: &mut [u32], value: u32) {
     }
 }
 
-/// Sets all pixels, once a frame or a band.
-// codegen: not inlined; and opaque, or the loops are made for a constant colour, by calls of
-// `memset`.
+/// Sets all pixels, in a function of its own for what is done once a frame.
 #[inline(never)]
 pub(super) fn fill_all<C, F: Fill<C>>(fill: F, pixels: &mut [C]) {
-    codegen::unknown(fill).run(codegen::unknown(pixels));
+    fill.run(pixels);
 }
 
 #[cfg(test)]
