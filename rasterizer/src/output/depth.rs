@@ -124,6 +124,7 @@ fn clear_words(words: &mut [u32]) {
     // Shorter runs are repeated by the compiler until they take twice the flash.
     let (runs, rest) = words.as_chunks_mut::<64>();
     for run in runs {
+        codegen::keep_rolled();
         run.iter_mut().for_each(|word| *word = zero);
     }
     // Of unknown length, or the compiler makes a case of each.
