@@ -10,13 +10,13 @@ use crate::{
 pub enum ProjectError {
     /// There is room for fewer vertices than the mesh has.
     VertexStorage {
-        /// How many the mesh has.
+        /// The number of vertices that the mesh has.
         needed: usize,
     },
     /// There are fewer words than the bands' bits take, as [`bin_words`](super::bin_words) counts
     /// them.
     BinStorage {
-        /// How many they take.
+        /// The number of words that they take.
         needed: usize,
     },
     /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
@@ -86,7 +86,7 @@ impl<E: core::fmt::Display> core::fmt::Display for DrawError<E> {
 
 impl<E: core::error::Error> core::error::Error for DrawError<E> {}
 
-/// Whether the mesh has the tables that a shader reads.
+/// Checks that the mesh has the tables that a shader reads.
 pub(super) const fn check_tables(
     tables: &Tables<'_>,
     required: RequiredTables,
