@@ -72,22 +72,6 @@ impl<P: Projection> Transform<P> {
         }
     }
 
-    /// Copies it field by field.
-    // codegen: for a copy of the whole, compilers call `memcpy`: 370 bytes of flash if nothing else
-    // does.
-    #[inline(always)]
-    pub(crate) const fn clone_by_fields(&self) -> Self {
-        Self {
-            x: self.x,
-            y: self.y,
-            z: self.z,
-            near: self.near,
-            far: self.far,
-            lens: self.lens,
-            center: self.center,
-        }
-    }
-
     /// Checks that the object fits the projection's number range. Call this first: no other method
     /// is valid until it succeeds.
     pub(crate) fn check(&self) -> Result<(), PoseError> {
@@ -145,8 +129,7 @@ impl<P: Projection> Transform<P> {
     /// Whether a box is certain to lie outside a picture of `size` pixels in width and height: all
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
-        let corners = cuboid.corners();
-        corners.iter().fold(0b11_1111, |bits, &corner| bits & self.beyond(corner, size)) != 0
+        (0..8).fold(0b11_1111, |bits, index| bits & self.beyond(cuboid.corner(index), size)) != 0
     }
 
     /// The planes of the picture beyond which a position lies: a bit for each of the six.

@@ -236,8 +236,8 @@ const fn camera_window(viewport: &Rectangle) -> Window {
     }
 }
 
-/// Works out the vertices on the screen, as many as there is room for. A function of its own: the
-/// loop needs its registers.
+/// Projects vertices from the first on, as many as `vertices` has.
+// codegen: not inlined, because the loop needs its registers.
 #[inline(never)]
 fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     tables: &Tables<'_>,
@@ -249,13 +249,12 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
         return;
     };
-    // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
-    // fields out of the loop, spills them, and copies a factor before each multiplication.
-    let mut transform = transform.clone_by_fields();
-    codegen::in_memory(&mut transform);
+    // codegen: opaque, so that its fields are read for every vertex. Otherwise LLVM hoists them out
+    // of the loop, spills them, and copies a factor before each multiplication.
+    let transform = codegen::unknown(transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
+        *vertex = on_screen(shader, transform, &MeshVertex::new(&tables, index));
     }
 }
 
