@@ -98,7 +98,7 @@ pub struct Piece<W> {
 }
 
 impl<W: Step> Piece<W> {
-    /// Returns the piece without its first `count` pixels, of which it has as many or more.
+    /// Returns the piece without its first `count` pixels; `count` is at most `pixels`.
     #[inline(always)]
     fn skip(self, count: usize) -> Self {
         Self {

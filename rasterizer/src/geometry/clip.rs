@@ -226,7 +226,7 @@ mod tests {
                 [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
             let left = polygon([a, b, c], &transform);
             let right = polygon([b, a, d], &transform);
-            // The edge alone, as the degenerate triangle that runs there and back.
+            // The edge alone, as a degenerate triangle that runs there and back.
             let edge = polygon([a, b, b], &transform);
             for corner in &edge {
                 cut += usize::from(*corner != a && *corner != b);

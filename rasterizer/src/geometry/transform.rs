@@ -275,7 +275,7 @@ mod tests {
         assert!(seen > 20, "only {seen} cases show anything");
     }
 
-    /// Only the form differs, and with it what cores need for it.
+    /// Only the form differs, and the instructions that cores need for it.
     #[test]
     fn rows_in_parts_give_what_whole_rows_give() {
         let mut state = 0x1234_5678_9ABC_DEF1;

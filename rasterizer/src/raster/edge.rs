@@ -173,7 +173,7 @@ mod tests {
         least as i32
     }
 
-    /// Every row alike: an address is a column.
+    /// All rows have the same addresses: an address is a column.
     const COLUMNS: Layout = Layout { pitch: 0, origin: 0 };
 
     fn edge(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> Edge {

@@ -63,7 +63,7 @@ impl core::error::Error for ProjectError {}
 /// Why drawing an object failed; `E` is the target's error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DrawError<E> {
-    /// The object cannot be drawn; nothing of it was.
+    /// The object cannot be drawn; none of it has been.
     Project(ProjectError),
     /// The target failed; some of the object may have been drawn.
     Target(E),

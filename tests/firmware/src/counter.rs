@@ -38,7 +38,7 @@ impl Moment {
         Self(riscv::register::mcycle::read() as u32)
     }
 
-    /// The same on the host, where nothing counts.
+    /// Returns 0: the host does not count.
     #[cfg(not(target_os = "none"))]
     #[must_use]
     pub const fn now() -> Self {
