@@ -156,26 +156,29 @@ where
             let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
-            if corners.iter().all(|corner| corner.is_on_screen()) {
-                if let Some(area) = Self::visible_area(corners, rows) {
-                    visit(index, corners, area)?;
-                }
-            } else if M::Clipping::CUTS {
+            let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+            // The triangle is a fan of one; what clipping leaves of it may be one of several.
+            let (mut fan, mut rim) = (corners, Default::default());
+            if !corners.iter().all(|corner| corner.is_on_screen()) {
                 // Most triangles that reach out of the guard band have nothing in the picture.
-                if self.is_triangle_outside_view(index) {
+                if !M::Clipping::CUTS || self.is_triangle_outside_view(index) {
                     continue;
                 }
-                let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
                 self.clip(index, &mut polygon);
-                let Some((hub, rim)) = polygon.split_first() else {
+                let [hub, first, second, rest @ ..] = polygon.as_slice() else {
                     continue;
                 };
-                for pair in rim.windows(2) {
-                    let corners = [hub, &pair[0], &pair[1]];
-                    if let Some(area) = Self::visible_area(corners, rows) {
-                        visit(index, corners, area)?;
-                    }
+                (fan, rim) = ([hub, first, second], rest);
+            }
+            // codegen: one call of `visit`, so that it is inlined.
+            loop {
+                if let Some(area) = Self::visible_area(fan, rows) {
+                    visit(index, fan, area)?;
                 }
+                let Some((next, rest)) = rim.split_first() else {
+                    break;
+                };
+                (fan, rim) = ([fan[0], fan[2], next], rest);
             }
         }
         Ok(())
@@ -249,12 +252,13 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     let Some(tables) = Sh::TABLES.of_vertices(tables, count) else {
         return;
     };
-    // codegen: opaque, so that its fields are read for every vertex. Otherwise LLVM hoists them out
-    // of the loop, spills them, and copies a factor before each multiplication.
-    let transform = codegen::unknown(transform);
+    // codegen: an opaque copy, read from the stack for every vertex. Otherwise LLVM hoists its
+    // fields out of the loop, spills them, and copies a factor before each multiplication.
+    let mut transform = *transform;
+    codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        *vertex = on_screen(shader, transform, &MeshVertex::new(&tables, index));
+        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
     }
 }
 
