@@ -1,10 +1,11 @@
 //! A fixed-point 3D rasterizer for microcontrollers, drawing through [`embedded-graphics`].
 //!
 //! It needs no heap, no FPU and no operating system. A model is a [`Mesh`] of constant tables in
-//! flash, made from an OBJ file by the `host-tools` of this project. The caller owns all memory: a
-//! colour and a depth buffer for the picture or for a band of its rows (4 bytes a pixel with RGB565
-//! and 16-bit depth), 8 to 16 bytes for each vertex of the largest mesh, or none, and a bit for
-//! each of its triangles and bands.
+//! flash, which this project's `host-tools` make from an OBJ file. The caller owns all memory: a
+//! colour and a depth buffer for the picture or for a band of its rows (4 bytes per pixel with
+//! RGB565 and 16-bit depth), 8 to 16 bytes for each vertex of the largest mesh, or none, and a bit
+//! for each of its triangles and bands, or none. [`Needs`](scene::Needs) gives all these lengths at
+//! compile time.
 //!
 //! # Example
 //!
@@ -25,7 +26,7 @@
 //!     ..Tables::EMPTY
 //! });
 //!
-//! // In constants, so that the texts are read by the compiler.
+//! // In constants, so that the compiler reads the texts.
 //! const NEAR: Distance = Distance::lit("0.1");
 //! const FAR: Distance = Distance::lit("10");
 //! const EYE: Vec3 = Vec3::lit("0", "0", "3");
@@ -64,9 +65,9 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
-//! On a device the last step is `frame.present(&mut display)`, for any
-//! [`DrawTarget`](embedded_graphics_core::draw_target::DrawTarget). Where there is no room for all
-//! pixels, the same goes in bands of rows:
+//! On a device the last step is `frame.present(&mut display)`, for any [`DrawTarget`]. The frame is
+//! a [`DrawTarget`] too: text, primitives and images of `embedded-graphics` can be drawn under the
+//! objects and over them. Where there is no room for all pixels, draw in bands of rows:
 //!
 //! ```
 //! # use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
@@ -93,7 +94,10 @@
 //! # impl DrawTarget for Display<'_> {
 //! #     type Color = Rgb565;
 //! #     type Error = core::convert::Infallible;
-//! #     fn draw_iter<I: IntoIterator<Item = Pixel<Rgb565>>>(&mut self, pixels: I) -> Result<(), Self::Error> {
+//! #     fn draw_iter<I>(&mut self, pixels: I) -> Result<(), Self::Error>
+//! #     where
+//! #         I: IntoIterator<Item = Pixel<Rgb565>>,
+//! #     {
 //! #         self.0.extend(pixels.into_iter().map(|pixel| pixel.1));
 //! #         Ok(())
 //! #     }
@@ -114,38 +118,46 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
+//! The first closure draws the background of a band, here of one colour; the second draws the
+//! objects.
+//!
 //! # The way through the crate
 //!
-//! Data goes one way; a module uses the ones above it.
+//! Data goes one way: the modules stand in its order, and each uses only those above it.
+//! `ARCHITECTURE.md` in the repository follows one vertex and one pixel through them.
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots |
+//! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
-//! | [`geometry`] | object space to triangles on the screen: transform, clipping, culling |
-//! | [`raster`] | triangles to spans: edges, gradients |
-//! | [`shade`] | what a covered pixel becomes |
-//! | [`target`] | where it goes: memory, or a display directly |
+//! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
+//! | [`geometry`] | object space to vertices on the screen: transform, clipping, culling |
+//! | [`raster`] | triangles to spans of fragments: edges, rows, gradients |
+//! | [`shade`] | the colours of fragments |
+//! | [`output`] | the pixels' destination: memory, or a display directly; depth test, blending |
 //! | [`scene`] | objects with their shaders; drives all of the above |
 //!
 //! # Choices are types
 //!
-//! What a scene needs is said in types, resolved at compile time, and what it does not need is not
-//! in its firmware.
+//! What a scene needs is chosen by types at compile time. What it does not need is not in its
+//! firmware.
 //!
 //! | choice | by | |
 //! |---|---|---|
-//! | sub-pixel precision | the type of the vertex storage | [`S4`](geometry::S4), [`S8`](geometry::S8) |
-//! | depth | the type of the depth buffer | `u16`, `u32`, [`NoDepth`](geometry::NoDepth) |
+//! | sub-pixel precision | the type of the vertex storage | [`S4`](numbers::S4), [`S8`](numbers::S8) |
+//! | depth | the type of the depth buffer | `u16`, `u32`, [`NoDepth`](attribute::NoDepth) |
 //! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
-//! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), [`ClipNone`](geometry::ClipNone) where nothing reaches beyond |
+//! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), or [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes |
+//! | new and stored colours | [`Object::blended`](scene::Object::blended) | [`Replace`](output::Replace), [`Blend`](output::Blend) by a function of both |
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), or [your own](shade::Shader) |
-//! | order of a pixel's bytes | the shader's colour type | [`Rgb565Be`](target::Rgb565Be) as SPI takes them and filled by words, [any other](target::StoredColor) |
-//! | vertices kept or not | how the object is seen | [`Object::project`](scene::Object::project), [`Object::walk`](scene::Object::walk) |
-//! | triangles sorted into bands or not | a step in between | [`Projected::binned`](scene::Projected::binned) |
-//! | destination | the target's type | [`Frame`](target::Frame), [`Bands`](target::Bands) of it, [`Direct`](target::Direct) |
+//! | pixels discarded or not | the shader's [`Outcome`](shade::Shader::Outcome) | a colour, or an `Option` of one |
+//! | byte order of a pixel | the shader's colour type | [`Rgb565Be`](output::Rgb565Be), in SPI order and filled by words, or [any other](output::StoredColor) |
+//! | vertices stored or not | a method of the object | [`project`](scene::Object::project), [`project_on_demand`](scene::Object::project_on_demand) |
+//! | order of triangles | a step before drawing | [`MeshOrder`](scene::MeshOrder), or [`Bins`](scene::Bins) by [`Projected::binned`](scene::Projected::binned) |
+//! | destination | the target's type | [`Frame`](output::Frame), [`Bands`](output::Bands) of it, [`Direct`](output::Direct) |
+//! | rows of a frame | its constructor | [`Packed`](output::Packed), or [`Strided`](output::Strided) in a larger buffer by [`with_stride`](output::Frame::with_stride) |
 //!
 //! # Conventions
 //!
@@ -163,16 +175,16 @@
 //! * Angles are turns in Q0.32; positive ones turn x to y about z, y to z about x, z to x about y.
 //! * A pixel is covered if its centre is inside a triangle; a centre on an edge belongs to the
 //!   triangle whose top or left edge it is. So triangles that share an edge share no pixel and
-//!   leave none out, whatever is blended or counted. This is decided exactly, on the snapped
-//!   vertices; a vertex in the middle of another triangle's edge (a T-junction) may leave a gap one
-//!   pixel wide, as snapping moves it off the edge.
+//!   leave none out, and blending along the edge changes each pixel once. This is decided exactly,
+//!   on the snapped vertices; a vertex in the middle of another triangle's edge (a T-junction) may
+//!   leave a gap one pixel wide, because snapping moves it off the edge.
 //! * Depth is near / w: 1 on the near plane, 0 infinitely far away; larger is nearer, the buffer is
-//!   cleared to 0, and what was drawn first wins a tie.
-//! * What lies before the near plane or beyond the far plane is not seen, and triangles that reach
-//!   there, or more than 1,024 pixels from the viewport's middle, are cut. An object that never
-//!   does is drawn without the code for it, 2 to 3 KB, if one says so: `object.clipped(ClipNone)`.
-//!   A triangle that reaches beyond all the same is then left out whole.
-//! * Colours are worked out in the values that pictures store, without a gamma curve.
+//!   cleared to 0, and the first pixel drawn wins a tie.
+//! * Nothing before the near plane or beyond the far plane is visible. Triangles that reach there,
+//!   or more than 1,024 pixels from the viewport's middle, are cut. For an object that never
+//!   reaches there, `object.clipped(ClipNone)` leaves out the code that cuts, 2 to 3 KB; a triangle
+//!   that does reach there is then left out whole.
+//! * Colours are computed in the values that pictures store, without a gamma curve.
 //!
 //! # Numbers
 //!
@@ -192,19 +204,22 @@
 //!
 //! # Not supported
 //!
-//! * Textures, blending, fog and antialiasing; lines and points. Meshes can carry texture
-//!   coordinates, no shader reads them.
-//! * Perspective-correct varyings: light levels are interpolated linearly on the screen.
+//! * Textures, fog and antialiasing; lines and points. Meshes can have texture coordinates, and a
+//!   shader can read them, but the core has no shader with a texture.
+//! * Perspective-correct varyings: they are interpolated linearly on the screen.
+//! * Sorting from back to front. Objects that are blended or drawn without depth are drawn in the
+//!   order of the calls, their triangles in the order of the mesh.
 //! * Non-uniform scaling of objects.
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
 //! * Vertices kept across the bands of a frame for several objects in one storage: each has its
-//!   own, or none ([`Object::walk`](scene::Object::walk)).
+//!   own, or none ([`Object::project_on_demand`](scene::Object::project_on_demand)).
 //!
 //! # Features
 //!
-//! None yet: everything a scene does not name is left out by the compiler.
+//! None: the compiler leaves out what a scene does not name.
 //!
 //! [`embedded-graphics`]: https://docs.rs/embedded-graphics
+//! [`DrawTarget`]: embedded_graphics_core::draw_target::DrawTarget
 //! [`Mesh`]: mesh::Mesh
 
 #![no_std]

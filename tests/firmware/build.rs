@@ -37,8 +37,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rustc-check-cfg=cfg(models)");
     println!("cargo::rerun-if-env-changed=RASTERIZER_MODELS");
     if let Some(folder) = env::var_os("RASTERIZER_MODELS") {
-        // Smooth everywhere, for one vertex for each of the file's, as in the figures of the
-        // rivals.
+        // Smooth everywhere: one vertex for each of the file's, as in the figures of other
+        // rasterizers.
         let smooth = Options { crease_degrees: 180.0, ..options };
         for name in ["spot", "suzanne"] {
             convert_for_build(Path::new(&folder).join(name).with_extension("obj"), &smooth)?;
@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     link()
 }
 
-/// Sets the memory of the board in QEMU. Cortex-M programs have that of `memory.x`, an RP2040's,
+/// Sets the memory of the board in QEMU. Cortex-M programs get that of `memory.x`, an RP2040's,
 /// unless they need more or the board has it elsewhere.
 fn link() -> Result<(), Box<dyn Error>> {
     if env::var("CARGO_CFG_TARGET_OS")? != "none" {

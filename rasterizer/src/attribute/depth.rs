@@ -1,4 +1,4 @@
-//! How depth is kept.
+//! How depth is stored.
 
 use fixed::types::U0F32;
 
@@ -14,13 +14,13 @@ pub trait DepthFormat: Interpolate<Walk = <Self as Interpolate>::Accumulator> {
     /// plane wins against a cleared buffer.
     fn from_fraction(q32: u32) -> Self;
 
-    /// The depth as a fraction; 0 if none is kept.
+    /// Returns the depth as a fraction; 0 if none is stored.
     fn to_fraction(self) -> U0F32;
 
     /// The depth at a pixel, rounded to the nearest unit.
     fn at(value: Self::Accumulator) -> Self;
 
-    /// Whether it is nearer than what is stored, or none is kept.
+    /// Whether this depth is nearer than `stored`; always true if none is stored.
     fn is_nearer(self, stored: Self) -> bool;
 }
 

@@ -38,7 +38,7 @@ impl Interpolate for u16 {
     }
 }
 
-/// Stepped in Q16.16 as `u16` is, from -32,768 up.
+/// Stepped in Q16.16 like `u16`, with 32,768 added.
 impl Interpolate for i16 {
     const ZERO: Self = 0;
 

@@ -5,8 +5,8 @@ use crate::numbers::Subpixel;
 
 /// A running value that is stepped from pixel to pixel, modulo its width.
 ///
-/// Gradients of slivers can be astronomical. They wrap, and at a covered centre the value is back
-/// between those of the corners.
+/// Gradients of slivers can be far larger than the width. They wrap, and at a covered centre the
+/// value is between those of the corners again.
 pub trait Step: Copy {
     /// No change.
     const ZERO: Self;
@@ -98,7 +98,7 @@ pub struct Piece<W> {
 }
 
 impl<W: Step> Piece<W> {
-    /// Without its first `count` pixels, at most all of them.
+    /// Returns the piece without its first `count` pixels; `count` is at most `pixels`.
     #[inline(always)]
     fn skip(self, count: usize) -> Self {
         Self {
@@ -114,9 +114,10 @@ pub type Whole<W> = core::iter::Empty<Piece<W>>;
 
 /// A number, or several, that can be interpolated over a triangle.
 ///
-/// From row to row the exact plane over the screen is stepped (`Accumulator`), along a span what
-/// comes out of it (`Walk`). For a linear number both are the same, and a span is one piece. A
-/// number that is divided at every N-th pixel and stepped linearly between has several.
+/// From row to row, the exact plane over the screen is stepped (`Accumulator`); along a span, the
+/// value that is derived from it (`Walk`). For a linear number both are the same, and a span is one
+/// piece. A number that is divided at every N-th pixel and stepped linearly in between has several
+/// pieces.
 pub trait Interpolate: Copy {
     /// The value of a vertex that has none yet.
     const ZERO: Self;
@@ -127,7 +128,7 @@ pub trait Interpolate: Copy {
     type Walk: Step;
     /// The pieces of a span after its first one.
     type Rest: Iterator<Item = Piece<Self::Walk>>;
-    /// What a shader sees of it.
+    /// The value that a shader sees.
     type Sample: Copy;
 
     /// The plane through the values at a triangle's corners; without `quick` its gradients are
@@ -145,7 +146,7 @@ pub trait Interpolate: Copy {
         pixels: usize,
     ) -> (Piece<Self::Walk>, Self::Rest);
 
-    /// The value as a shader sees it.
+    /// Returns the value that a shader sees.
     fn sample(value: Self::Walk) -> Self::Sample;
 }
 
@@ -238,7 +239,7 @@ impl<A: Interpolate, B: Interpolate> Interpolate for (A, B) {
     }
 }
 
-/// The pieces of two numbers, cut where either's end.
+/// The pieces of two numbers, cut where a piece of either one ends.
 #[derive(Debug)]
 pub struct Both<A: Interpolate, B: Interpolate> {
     one: Piece<A::Walk>,

@@ -7,9 +7,9 @@
 //!   da/dx = (da1 dy2 - da2 dy1) / A        da/dy = (da2 dx1 - da1 dx2) / A
 //! ```
 //!
-//! The numerators are twice the area of the triangle that one sees with a in the place of x or y,
-//! so that they are bounded by the range of a times the triangle's height or width. They are exact,
-//! and the quotients are worked out with one reciprocal a triangle.
+//! A numerator is twice the area of the triangle with a in place of x or y, so it is bounded by the
+//! range of a times the triangle's height or width. Numerators are exact, and the quotients are
+//! computed with one reciprocal per triangle.
 //!
 //! # Error
 //!
@@ -19,8 +19,9 @@
 //! enough for that unless a triangle is thin and steep, and then the gradient is divided exactly.
 //! An attribute of 32 bits is stepped with 18 more bits, always divided exactly: n / 2^18 units.
 //!
-//! Gradients of slivers can be astronomical. Steps wrap modulo 2^32, and at a covered centre the
-//! value is back between those of the corners, so that it is right: it is sampled there and nowhere else.
+//! Gradients of slivers can be far larger than 32 bits. Steps wrap modulo 2^32, and at a covered
+//! centre the value is between those of the corners again, so that it is right: it is sampled there
+//! and nowhere else.
 
 use core::marker::PhantomData;
 
@@ -39,7 +40,7 @@ pub struct Plane<T> {
 }
 
 impl<T: Step> Plane<T> {
-    /// The value at the centre of the pixel so many columns and rows from the anchor.
+    /// Returns the value at the centre of the pixel that lies `columns` and `rows` from the anchor.
     #[inline(always)]
     pub fn at(&self, columns: i32, rows: i32) -> T {
         let row = self.anchor.wrapping_add(self.per_row.wrapping_mul(rows));
@@ -82,8 +83,8 @@ pub struct QuickGradients {
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
-    /// For corners from top to bottom, with the doubled area and whether it is positive if taken in
-    /// this order.
+    /// For corners from top to bottom, with the doubled area and whether it is positive for corners
+    /// in this order.
     #[inline(always)]
     pub(crate) fn new([a, b, c]: [[i32; 2]; 3], is_positive: bool, area: i64) -> Self {
         let half = 1 << (S::BITS - 1);
@@ -202,9 +203,9 @@ const fn middle_of(a: u16) -> u32 {
 }
 
 impl QuickGradients {
-    /// Nothing for triangles of over 2^15 sub-pixels, whose numerators need more than 32 bits, and
-    /// for those so thin and long that the bits their gradients lack would add up. `extent` has
-    /// no fewer bits than width and height.
+    /// Returns `None` for triangles of over 2^15 sub-pixels, whose numerators need more than 32
+    /// bits, and for triangles so thin and long that the lost bits of their gradients would add up.
+    /// `extent` has no fewer bits than width and height.
     #[inline(always)]
     pub(crate) fn new<S: Subpixel>(area: i64, is_positive: bool, extent: u32) -> Option<Self> {
         if S::BITS > 4 && extent >> 15 != 0 {
@@ -213,18 +214,17 @@ impl QuickGradients {
         let reciprocal = Reciprocal::of((area as i32).unsigned_abs());
         let (zeros, area_zeros) = (leading_zeros(extent), reciprocal.leading_zeros);
         // A quotient is within 1 + 2^-27 2^30 = 9 of its last bits, which over n pixels, shifted
-        // left by k, add up to less than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k
-        // n <= 2^10. Width and height are both below 2^(32 - zeros) sub-pixels, and n below
-        // twice as many pixels.
+        // left by k, add up to less than 2^(4 + k) n / 2^16 units: a quarter of one for 2^k n <=
+        // 2^10. Width and height are both below 2^(32 - zeros) sub-pixels, and n below twice as
+        // many pixels.
         if 2 * zeros < 26 + area_zeros {
             return None;
         }
         // Numerators are below 2^16 times the extent, so that they can be shifted up by its leading
-        // zeros less 17. Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14
-        // + up - S - area_zeros), which is shifted by 8 at most to the right, as an area is
-        // not larger than width times height. There the reciprocal is shifted instead,
-        // once: its lost last bit makes up to half a last bit of a gradient, as a shifted numerator
-        // is below 2^31.
+        // zeros less 17. Q16 a pixel: num 2^(16 + S) / area = ((num << up) r / 2^32) >> (14 + up -
+        // S - area_zeros), which is shifted by 8 at most to the right, as an area is not larger
+        // than width times height. There the reciprocal is shifted instead, once: its lost last bit
+        // makes up to half a last bit of a gradient, as a shifted numerator is below 2^31.
         let up = zeros - 17;
         let right = 14 + up as i32 - S::BITS as i32 - area_zeros as i32;
         let mantissa = if is_positive { reciprocal.mantissa } else { -reciprocal.mantissa };

@@ -34,8 +34,8 @@ pub trait Varyings: Copy {
     /// The values as a vertex on the screen stores them.
     type OnScreen: Interpolate;
 
-    /// The values at `t` / 2<sup>30</sup> of the way from these to the `other` ones, rounded; `t`
-    /// is at most 2<sup>30</sup>. Clipping calls it for a new vertex on an edge.
+    /// Returns the values at `t` / 2<sup>30</sup> of the way from these to the `other` ones,
+    /// rounded; `t` is at most 2<sup>30</sup>. Clipping calls it for a new vertex on an edge.
     #[must_use]
     fn lerp(self, other: Self, t: u32) -> Self;
 

@@ -1,9 +1,9 @@
 //! Clipping of triangles that reach beyond the near plane, the far plane or the guard band.
 //!
 //! Sutherland and Hodgman's reentrant clipping (CACM 17(1), 1974) in clip space, where the planes
-//! are linear whatever the sign of w. A new vertex is worked out from the inside towards the
-//! outside, so that two triangles that share an edge get the identical one, and then put exactly
-//! onto the plane.
+//! are linear for either sign of w. A new vertex is computed from the inside towards the outside,
+//! so that two triangles that share an edge get the same one, and is then moved exactly onto the
+//! plane.
 
 use heapless::Vec;
 
@@ -30,7 +30,7 @@ enum ClipPlane {
     Bottom,
 }
 
-/// The near plane comes first: behind it all w are positive.
+/// The near plane comes first: all w beyond it are positive.
 const PLANES: [ClipPlane; 6] = [
     ClipPlane::Near,
     ClipPlane::Far,
@@ -41,8 +41,8 @@ const PLANES: [ClipPlane; 6] = [
 ];
 
 impl ClipPlane {
-    /// How far inside the plane a vertex lies, in some unit; negative outside. No coordinate
-    /// reaches 2^30.
+    /// The distance of a vertex from the plane, negative outside, in a unit of the plane. No
+    /// coordinate reaches 2^30.
     #[inline(never)]
     fn distance<P: Projection, V>(self, vertex: &ClipVertex<V>, transform: &Transform<P>) -> i32 {
         let ClipVertex { x, y, z, .. } = *vertex;
@@ -57,7 +57,7 @@ impl ClipPlane {
         }
     }
 
-    /// Takes the rounding out of a new vertex.
+    /// Moves a new vertex, which is rounded, exactly onto the plane.
     fn put_onto<P: Projection, V>(self, vertex: &mut ClipVertex<V>, transform: &Transform<P>) {
         let w = transform.lens.w(vertex.z);
         match self {
@@ -71,8 +71,8 @@ impl ClipPlane {
     }
 }
 
-/// Visits the corners of what the planes leave of a triangle: a convex polygon, in the triangle's
-/// order, or none.
+/// Visits the corners of the part of a triangle that lies inside all planes: a convex polygon, in
+/// the triangle's order, or none.
 #[inline(always)]
 pub(crate) fn clip<P: Projection, V: Varyings>(
     triangle: impl IntoIterator<Item = ClipVertex<V>>,
@@ -225,7 +225,7 @@ mod tests {
                 [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
             let left = polygon([a, b, c], &transform);
             let right = polygon([b, a, d], &transform);
-            // The edge alone, as the degenerate triangle that runs there and back.
+            // The edge alone, as a degenerate triangle that runs there and back.
             let edge = polygon([a, b, b], &transform);
             for corner in &edge {
                 cut += usize::from(*corner != a && *corner != b);

@@ -1,4 +1,4 @@
-//! What a projection is in integers: the divisor w, and depth.
+//! A projection in integers: the divisor w, and depth.
 
 use crate::{
     attribute::InverseW,
@@ -13,7 +13,7 @@ pub trait Projection: Copy + core::fmt::Debug + Sealed {}
 impl Projection for Perspective {}
 impl Projection for Orthographic {}
 
-/// What a projection gives the transform.
+/// What the transform needs of a projection.
 pub(crate) trait Sealed {
     /// The projection in the units of one object's clip space.
     type Lens: Lens;
@@ -41,12 +41,12 @@ pub(crate) struct Units {
     pub(crate) z: i32,
 }
 
-/// A projection at work on vertices in clip space.
+/// A projection of vertices in clip space.
 pub(crate) trait Lens: Copy + core::fmt::Debug {
-    /// Whether w = 1 can be told from 0 in the units of clip space.
+    /// Whether w = 1 is at least one unit of clip space.
     fn is_in_range(&self) -> bool;
 
-    /// What x and y are divided by: over 0 and below 2^30 for a z from the near plane on.
+    /// The divisor of x and y: over 0 and below 2^30 for a z from the near plane on.
     fn w(&self, z: i32) -> i32;
 
     /// 1 / 2 w.
@@ -62,7 +62,7 @@ pub(crate) trait Lens: Copy + core::fmt::Debug {
 /// Coordinates stay below 2^30, so that sums and differences of two of them fit.
 const BITS: i32 = 30;
 
-/// What no coordinate reaches.
+/// The limit that no coordinate reaches.
 const BEYOND: i32 = 1 << BITS;
 
 impl Sealed for Perspective {
@@ -76,8 +76,8 @@ impl Sealed for Perspective {
 
     fn depth_range(&self, units: Units) -> [i32; 2] {
         let PerspectiveLens { down } = self.lens(units);
-        // The near distance is one: 2^(30 - down) units. Where 2^30 are less than that, all of the
-        // object lies before it.
+        // The near distance is 2^(30 - down) units. If it is over 2^30 units, all of the object
+        // lies before it.
         [BEYOND >> down.min(30), self.far_per_near().in_units_of(units.z).min(BEYOND)]
     }
 
@@ -142,8 +142,8 @@ impl Sealed for Orthographic {
             .map(|d| Float::from_unsigned(d).in_units_of(units.z).clamp(1, BEYOND))
     }
 
-    /// w = 1 is a whole number of units unless the object is too large, and the far plane can be
-    /// named in z.
+    /// w = 1 is a whole number of units unless the object is too large, and the far plane fits the
+    /// range of z.
     fn units(&self, xy: i32, z: i32) -> Units {
         let far = Float::from_unsigned(self.far());
         Units {

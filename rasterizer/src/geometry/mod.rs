@@ -2,10 +2,11 @@
 //!
 //! ```text
 //!   object space      i16 quanta of the mesh
-//!        |  one 3 x 4 matrix a frame: pose, camera and focal length at once (transform)
+//!        |  one 3 x 4 matrix a frame: pose, camera and focal length together (transform)
 //!   clip space        i32: |x| <= w and |y| <= w is the guard band, near <= z <= far
 //!        |  one reciprocal a vertex
-//!   screen            i32 sub-pixels from the display's top-left corner, depth, varyings (ScreenVertex)
+//!   screen            ScreenVertex: i32 sub-pixels from the display's top-left corner,
+//!                     depth, varyings
 //! ```
 //!
 //! A vertex outside the near plane, the far plane or the guard band has no place on the screen;

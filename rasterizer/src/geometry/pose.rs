@@ -9,7 +9,7 @@ use crate::{
 /// (scale * p)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pose {
-    /// How the model is turned.
+    /// How the model is rotated.
     pub rotation: Rotation,
     /// Where the model's origin lies, in world units.
     pub translation: Vec3,
@@ -22,7 +22,7 @@ impl Pose {
     pub const IDENTITY: Self =
         Self { rotation: Rotation::IDENTITY, translation: Vec3::ZERO, scale: Distance::ONE };
 
-    /// At the origin, turned.
+    /// At the origin, rotated.
     #[must_use]
     pub const fn rotated(rotation: Rotation) -> Self {
         Self { rotation, ..Self::IDENTITY }
@@ -47,10 +47,10 @@ impl Default for Pose {
     }
 }
 
-/// An object too large or too far away for the numbers of a parallel projection: some
-/// 2<sup>30</sup> times wider, or farther away, than the guard band. Long before, its place loses
-/// precision: it is known to 2<sup>-27</sup> of the largest of its distance from the camera, its
-/// model's from its own origin, and how far across it lies in guard bands.
+/// The object is too large or too far away for a parallel projection's number range: about
+/// 2<sup>30</sup> guard bands. Precision degrades long before that: positions are accurate to
+/// 2<sup>-27</sup> of the largest of the object's distance from the camera, the model's distance
+/// from its own origin, and how far across the object lies in guard bands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PoseError;
 

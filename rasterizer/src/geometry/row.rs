@@ -1,5 +1,5 @@
-//! The rows of the matrix from object space to clip space: what is worked out once a frame, and
-//! what each vertex takes.
+//! The rows of the matrix from object space to clip space: computed once a frame, applied to each
+//! vertex.
 
 use super::Pose;
 use crate::{
@@ -10,8 +10,8 @@ use crate::{
 /// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
 ///
 /// Its entries have 14 bits behind the point of a clip-space unit, and are below 2^29. Where there
-/// is no long multiply they are kept as `high * 2^14 + low`: with positions of 16 bits all products
-/// and their sums fit 32 then.
+/// is no long multiply they are kept as `high * 2^14 + low`: then all products with positions of 16
+/// bits, and their sums, fit 32 bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
     /// The entries with 16 bits behind the point, or their upper and their lower parts.
@@ -64,16 +64,16 @@ impl<const PARTS: usize> Row<PARTS> {
 /// A row before its unit is known.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms {
-    /// What the coordinates of a position add at most: at 2^15 quanta.
+    /// The most that each coordinate of a position adds: at 2^15 quanta.
     pub(super) reaches: [Float; 3],
     pub(super) translation: Float,
 }
 
 impl Terms {
-    /// Along an axis of the camera, of which a world unit is so long in clip space.
-    ///
-    /// Like the rest of what makes a matrix, it is called rather than inlined: for each of three
-    /// rows, once a frame.
+    /// `axis` is a camera axis; `magnification` is the clip-space length of one world unit along
+    /// it.
+    // codegen: not inlined, like all that builds the matrix: it runs for each of three rows once a
+    // frame.
     #[inline(never)]
     pub(super) fn new(
         axis: &[i32; 3],
@@ -99,7 +99,7 @@ impl Terms {
     /// The least n for which a coordinate stays below 2^n.
     #[inline(never)]
     pub(super) fn magnitude(&self) -> i32 {
-        // Added up in a unit in which none of the four reaches 2^28, with what rounding takes off
+        // Added in a unit in which none of the four reaches 2^28, plus what rounding takes off
         // them.
         let mut most = self.translation.exponent;
         for reach in &self.reaches {

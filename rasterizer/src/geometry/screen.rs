@@ -23,7 +23,8 @@ pub struct ScreenVertex<S, D, V> {
 }
 
 impl<S: Subpixel, D: DepthFormat, V: Interpolate> ScreenVertex<S, D, V> {
-    /// To fill storage with. All its bits are 0, so that storage in a `static` takes no flash.
+    /// The initial content of storage. All its bits are 0, so that storage in a `static` takes no
+    /// flash.
     pub const EMPTY: Self = Self::new(0, 0, D::ZERO, V::ZERO);
 
     /// A vertex outside near plane, far plane or guard band.
@@ -32,8 +33,8 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> ScreenVertex<S, D, V> {
     }
 
     /// From its coordinates in sub-pixels from the display's top-left corner. Returns `None` unless
-    /// they lie within -1,024 <= x, y < 1,024 pixels, which is what
-    /// [`Triangle`](crate::raster::Triangle) is exact for.
+    /// they lie within -1,024 <= x, y < 1,024 pixels, for which
+    /// [`Triangle`](crate::raster::Triangle) is exact.
     #[must_use]
     pub const fn checked(x: i32, y: i32, depth: D, varyings: V) -> Option<Self> {
         let limit = 1 << (GUARD_BITS + S::BITS);

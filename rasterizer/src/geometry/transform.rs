@@ -16,7 +16,7 @@ use crate::{
 /// A point in clip space.
 ///
 /// The units are an object's own, chosen so that no coordinate of a vertex reaches 2^30. `|x| <= w`
-/// and `|y| <= w` is the guard band: w stands for 1,024 pixels, whatever the focal length.
+/// and `|y| <= w` is the guard band: w stands for 1,024 pixels, for every focal length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct ClipVertex<V> {
     /// To the right.
@@ -43,7 +43,8 @@ pub(crate) struct Transform<P: Projection> {
 
 impl<P: Projection> Transform<P> {
     /// Pose, camera, focal length and the mesh's own scale in one matrix.
-    // The caller's frame would hold all of it while triangles are drawn.
+    // codegen: not inlined, or the caller's frame would hold its temporaries while triangles are
+    // drawn.
     #[inline(never)]
     pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Self {
         let projection = camera.projection();
@@ -86,8 +87,8 @@ impl<P: Projection> Transform<P> {
         }
     }
 
-    /// Whether the object is small enough for the projection's numbers; nothing else can be asked
-    /// if it isn't.
+    /// Checks that the object fits the projection's number range. Call this first: no other method
+    /// is valid until it succeeds.
     pub(crate) fn check(&self) -> Result<(), PoseError> {
         self.lens.is_in_range().then_some(()).ok_or(PoseError)
     }
@@ -109,8 +110,8 @@ impl<P: Projection> Transform<P> {
         [x, y, z]
     }
 
-    /// Clip space to the screen; the result is not on the screen if the vertex is outside near
-    /// plane, far plane or guard band.
+    /// Projects a vertex. The result is not on the screen if the vertex is outside near plane, far
+    /// plane or guard band.
     #[inline(always)]
     pub(crate) fn clip_to_screen<S: Subpixel, D: DepthFormat, V: Varyings>(
         &self,
@@ -124,8 +125,7 @@ impl<P: Projection> Transform<P> {
         }
         let reciprocal = self.lens.reciprocal_of_twice(w);
         // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper
-        // half has 29 bits behind the point; 10 + S of them are sub-pixels of the guard
-        // band.
+        // half has 29 bits behind the point; 10 + S of them are sub-pixels of the guard band.
         let to_subpixels = |c: i32, center: i32| {
             let quotient = mul_high(c << reciprocal.leading_zeros, reciprocal.mantissa);
             let drop = 29 - GUARD_BITS - S::BITS;
@@ -141,24 +141,23 @@ impl<P: Projection> Transform<P> {
         )
     }
 
-    /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all
+    /// Whether a box is certain to lie outside a picture of `size` pixels in width and height: all
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
         let beyond = |index| self.beyond(cuboid.corner(index), size);
         (0..codegen::unknown(8)).fold(0b11_1111, |bits, index| bits & beyond(index)) != 0
     }
 
-    /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of
-    /// its own, as compilers repeat it for each corner of a box.
+    /// The planes of the picture beyond which a position lies: a bit for each of the six.
+    // codegen: not inlined, because compilers repeat it for each corner of a box.
     #[inline(never)]
     pub(crate) fn beyond(&self, position: [i16; 3], [width, height]: [i32; 2]) -> u8 {
         let [x, y, z] = self.object_to_clip_outlined(position);
-        // A pixel wider than the viewport, so that rounding cannot hide an edge that shows.
+        // A pixel wider than the viewport, so that rounding cannot hide a visible edge.
         let (across, down) = (width / 2 + 2, height / 2 + 2);
         // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31
         // as the viewport is no wider than the guard band. Beyond the near plane it may be
-        // negative, and the sides are still planes through the eye: upwards is outwards
-        // there too.
+        // negative, and the sides are still planes through the eye: upwards is outwards there too.
         let w = (self.lens.w(z) >> GUARD_BITS) + 1;
         let (across, down) = (w * across, w * down);
         let beyond = [z < self.near, z > self.far, x < -across, x > across, y < -down, y > down];
@@ -292,7 +291,7 @@ mod tests {
         assert!(seen > 20, "only {seen} cases show anything");
     }
 
-    /// Only the form differs, and with it what cores need for it.
+    /// Only the form differs, and the instructions that cores need for it.
     #[test]
     fn rows_in_parts_give_what_whole_rows_give() {
         let mut state = 0x1234_5678_9ABC_DEF1;

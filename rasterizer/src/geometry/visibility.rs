@@ -4,8 +4,8 @@
 /// Which triangles are left out, by the side that they turn to the viewer.
 ///
 /// The side is decided on the snapped vertices, by the sign of the area that is drawn (Direct3D 11
-/// functional specification 15.6.1), so that a triangle that snapping turned over counts as what it
-/// is on the screen.
+/// functional specification 15.6.1), so a triangle that snapping turned over counts by the side
+/// that it shows on the screen.
 pub trait Culling: Copy {
     /// Whether triangles whose corners run counter-clockwise on the screen are drawn.
     const FRONT: bool;
@@ -40,14 +40,14 @@ impl Culling for CullNone {
     const BACK: bool = true;
 }
 
-/// What becomes of triangles that reach beyond the near plane, the far plane or the guard band:
+/// How triangles are treated that reach beyond the near plane, the far plane or the guard band:
 /// 1,024 pixels to each side of the viewport's middle.
 ///
 /// Most scenes have none, and the code that cuts them is a fifth of a small renderer's. Both
 /// choices draw the same picture of an object that stays in front of the camera and near the
 /// picture.
 pub trait Clipping: Copy {
-    /// Whether they are cut, and what is left of them drawn.
+    /// Whether they are cut and their remainder drawn.
     const CUTS: bool;
 }
 
@@ -55,7 +55,7 @@ pub trait Clipping: Copy {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ClipAll;
 
-/// Leaves them out whole: for objects that stay between the planes. An object that does not has
+/// Leaves them out whole: for objects that stay between the planes. An object that crosses one has
 /// holes where its triangles are missing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ClipNone;

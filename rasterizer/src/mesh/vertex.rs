@@ -18,8 +18,9 @@ impl RequiredTables {
     pub const NONE: Self =
         Self { vertex_normals: false, face_normals: false, texture_coordinates: false };
 
-    /// `tables` with each per-vertex table that this shader reads cut to `count` entries, so that
-    /// the compiler sees that no index below `count` is past its end; `None` if one is shorter.
+    /// `tables` with each per-vertex table that this shader reads cut to `count` entries; `None` if
+    /// one is shorter.
+    // codegen: then the compiler sees that no index below `count` is past the end.
     #[inline(always)]
     pub(crate) fn of_vertices<'a>(self, tables: &Tables<'a>, count: usize) -> Option<Tables<'a>> {
         let Positions::I16(positions) = tables.positions;

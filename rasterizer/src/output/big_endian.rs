@@ -8,11 +8,11 @@ use embedded_graphics_core::pixelcolor::{
 
 use super::{StoredColor, WordFill};
 
-/// RGB565 with its more significant byte first, the order in which SPI displays take it: a band of
-/// these goes to a DMA channel as it lies in memory.
+/// RGB565 with its more significant byte first, the order in which SPI displays take it: a DMA
+/// channel can send a band of these as it lies in memory.
 ///
-/// Shaders work their colours out before they come to pixels, so that a pixel costs the same in
-/// this order as in any other. As plain data it is filled by words: runs of one colour cost less
+/// Shaders compute their colours before they draw pixels, so a pixel costs the same in this order
+/// as in any other. The type is plain data and is filled by words: runs of one colour cost less
 /// than with [`Rgb565`].
 ///
 /// ```
@@ -30,7 +30,7 @@ impl Rgb565Be {
     /// No light at all, with no bit set: memory in a static that starts with it takes no flash.
     pub const BLACK: Self = Self(0);
 
-    /// The bytes of pixels, two for each, without a copy.
+    /// Returns the bytes of pixels, two for each, without a copy.
     #[must_use]
     pub const fn as_bytes(pixels: &[Self]) -> &[u8] {
         bytemuck::must_cast_slice(pixels)

@@ -36,7 +36,7 @@ pub trait Blending<T: Target>: Copy {
     ) -> Result<(), T::Error>;
 }
 
-/// The new colour takes the place of the stored one.
+/// The new colour replaces the stored one.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Replace;
 
@@ -67,8 +67,7 @@ impl<T: Target> Blending<T> for Replace {
 /// A function of the stored colour and the new one: `Blend(|stored, new| ...)`.
 ///
 /// Each pixel is blended when it is drawn, so that the order of triangles matters: see-through
-/// objects are drawn after those behind them. A pixel's depth is stored as it is for one that
-/// replaces.
+/// objects are drawn after those behind them. Depth is stored as with [`Replace`].
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb565;

@@ -10,7 +10,7 @@ use super::{Fill, PixelFill};
 /// A colour that memory can be filled with: all of embedded-graphics and
 /// [`Rgb565Be`](super::Rgb565Be).
 ///
-/// For a colour of one's own it takes a line:
+/// For your own colour type, it takes one line:
 ///
 /// ```
 /// use embedded_graphics_core::{pixelcolor::raw::RawU4, prelude::*, primitives::Rectangle};
@@ -35,8 +35,8 @@ use super::{Fill, PixelFill};
 /// # Ok::<(), rasterizer::output::FrameError>(())
 /// ```
 ///
-/// One of 16 bits that is plain data, and aligned like a `u16`, takes [`WordFill`](super::WordFill)
-/// instead.
+/// A colour of 16 bits that is plain data and aligned like a `u16` can have
+/// [`WordFill`](super::WordFill) instead.
 pub trait StoredColor: Copy {
     /// How runs of pixels are set to it.
     type Fill: Fill<Self>;

@@ -17,13 +17,13 @@ use crate::{
     shade::Outcome,
 };
 
-/// Draws spans as runs on any [`DrawTarget`], each by one call of `fill_solid` or
-/// `fill_contiguous`; of a shader that discards pixels, the others by `draw_iter`.
+/// Draws on any [`DrawTarget`], each span by one call of `fill_solid` or `fill_contiguous`, or of
+/// `draw_iter` if the shader discards pixels.
 ///
-/// Nothing tests depth: it is for convex bodies whose back faces are culled, and for objects drawn
-/// from back to front. A rounded body whose quads were split along the wrong diagonal is not quite
-/// convex: pixels near its outline may be drawn twice. Nothing can be blended with a display's
-/// pixels, which cannot be read.
+/// Depth is not tested: this is for convex bodies whose back faces are culled, and for objects
+/// drawn from back to front. A rounded body whose quads were split along the wrong diagonal is not
+/// quite convex: pixels near its outline may be drawn twice. Blending is a compile error, because a
+/// display's pixels cannot be read.
 #[derive(Debug)]
 pub struct Direct<'a, T> {
     display: &'a mut T,
@@ -31,14 +31,14 @@ pub struct Direct<'a, T> {
 }
 
 impl<'a, T: DrawTarget> Direct<'a, T> {
-    /// On all of the display.
+    /// Draws on all of the display.
     pub fn new(display: &'a mut T) -> Self {
         let window = Window::new(&display.bounding_box());
         Self { display, window }
     }
 }
 
-/// Every row alike: an address is a column of the window.
+/// All rows have the same addresses: the columns of the window, counted from its left side.
 const fn columns(window: &Window) -> Layout {
     Layout { pitch: 0, origin: window.left }
 }
@@ -53,7 +53,7 @@ struct Fragments<V: Interpolate> {
     run: Run<NoDepth, V>,
     rest: V::Rest,
     place: Place,
-    /// The pixels of the run that are still to come.
+    /// The pixels of the run that are left.
     pixels: usize,
 }
 

@@ -34,7 +34,7 @@ pub trait Target {
     /// How drawing into it fails.
     type Error;
 
-    /// The pixels that it takes.
+    /// The pixels that can be drawn.
     fn window(&self) -> Window;
 
     /// Draws a primitive's pixels in a part of the window, each in the colour that `pixel` makes of
@@ -50,8 +50,8 @@ pub trait Target {
         pixel: impl FnMut(FragmentOf<Q>) -> O,
     ) -> Result<(), Self::Error>;
 
-    /// Draws a primitive's pixels in a part of the window, all of one colour:
-    /// [`shade`](Self::shade), unless there is a shorter way.
+    /// Draws a primitive's pixels in a part of the window, all of one colour. By
+    /// [`shade`](Self::shade), unless the target has a shorter way.
     ///
     /// # Errors
     ///
@@ -67,7 +67,7 @@ pub trait Target {
     }
 }
 
-/// A target whose pixels can be read, so that something can be blended with them: a [`Frame`], or a
+/// A target whose pixels can be read, so that colours can be blended with them: a [`Frame`], or a
 /// band of [`Bands`].
 #[diagnostic::on_unimplemented(
     message = "the pixels of `{Self}` cannot be read, so nothing can be blended with them",

@@ -10,9 +10,9 @@
 //! is 0 on the edge and positive to its right (Pineda, *A Parallel Algorithm for Polygon
 //! Rasterization*, SIGGRAPH 1988). In each row the boundary is the first pixel whose centre has
 //! E >= 0. Seen from the right, that pixel is the first one inside: a left edge covers the centres
-//! on it. Seen from the left, it is the first one outside: a right edge does not. Together with rows
-//! that run from the first centre at or below the upper end to the last one above the lower end,
-//! that is the top-left rule, and the same boundary serves both triangles of a shared edge.
+//! on it. Seen from the left, it is the first one outside: a right edge does not. Together with
+//! rows that run from the first centre at or below the upper end to the last one above the lower
+//! end, that is the top-left rule, and the same boundary serves both triangles of a shared edge.
 //!
 //! E at the boundary pixel stays between 0 and dy (2^S times that, but all its values there share
 //! their S lowest bits, which are dropped): stepping down a row takes dx off, stepping a pixel to
@@ -30,10 +30,9 @@ pub(super) struct Edge {
     pub(super) boundary: i32,
     /// The edge function at the boundary's centre, without its S lowest bits: from 0 to dy - 1.
     function: i32,
-    /// By how many pixels the boundary's address moves at least from a row to the next: ⌊dx / dy⌋
-    /// and the pitch.
+    /// The least change of the boundary's address from a row to the next: ⌊dx / dy⌋ plus the pitch.
     stride: i32,
-    /// What the edge function loses by that: dx mod dy.
+    /// What that change takes off the edge function: dx mod dy.
     remainder: i32,
     dy: i32,
 }
@@ -57,8 +56,9 @@ impl Edge {
         }
     }
 
-    /// The smallest cores often have the smallest flash: 150 to 400 bytes less for 1 to 2.7 % more
-    /// of a frame's instructions.
+    /// Calls [`inlined`](Self::inlined).
+    // codegen: not inlined on narrow cores, which often have the smallest flash: 150 to 400 bytes
+    // less for 1 to 2.7 % more of a frame's instructions.
     #[inline(never)]
     const fn called<S: Subpixel>(
         top: [i32; 2],
@@ -103,10 +103,10 @@ impl Edge {
         }
     }
 
-    /// On to the next row.
+    /// Steps to the next row.
     #[inline(always)]
     pub(super) const fn step(&mut self) {
-        // Worked out in registers and stored once.
+        // codegen: computed in registers and stored once.
         let (boundary, function) =
             carried(self.boundary + self.stride, self.function - self.remainder, self.dy);
         (self.boundary, self.function) = (boundary, function);
@@ -117,7 +117,8 @@ impl Edge {
 #[inline(always)]
 const fn carried(boundary: i32, function: i32, dy: i32) -> (i32, i32) {
     if !IS_NARROW {
-        // Operands that are shifted on the way: two instructions less than by a condition.
+        // codegen: operands that are shifted on the way take two instructions less than a
+        // condition.
         let is_negative = function >> 31;
         (boundary - is_negative, function + (dy & is_negative))
     } else if function < 0 {
@@ -172,7 +173,7 @@ mod tests {
         least as i32
     }
 
-    /// Every row alike: an address is a column.
+    /// All rows have the same addresses: an address is a column.
     const COLUMNS: Layout = Layout { pitch: 0, origin: 0 };
 
     fn edge(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> Edge {

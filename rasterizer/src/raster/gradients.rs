@@ -1,4 +1,4 @@
-//! What a shader can learn of a triangle before its pixels are drawn.
+//! What a shader can read of a triangle before its pixels are drawn.
 
 use super::Triangle;
 use crate::{
@@ -7,8 +7,8 @@ use crate::{
     numbers::{S4, S8, Subpixel},
 };
 
-/// The varyings of a triangle as functions of the pixel. Nothing is computed before it is asked
-/// for.
+/// The varyings of a triangle as functions of the pixel. Each method computes its result when it is
+/// called.
 #[derive(Clone, Copy, Debug)]
 pub struct Gradients<'v, V> {
     corners: [&'v V; 3],
@@ -51,8 +51,8 @@ impl<'v, V: Interpolate> Gradients<'v, V> {
         self.subpixel_bits
     }
 
-    /// The plane over the display's columns and rows, counted from its top-left pixel: the same that
-    /// the triangle's spans follow.
+    /// Computes the plane over the display's columns and rows, counted from its top-left pixel: the
+    /// same that the triangle's spans follow.
     #[must_use]
     pub fn plane(&self) -> Plane<V::Accumulator> {
         if self.subpixel_bits == S4::BITS { self.plane_in::<S4>() } else { self.plane_in::<S8>() }

@@ -41,13 +41,13 @@ impl Window {
         }
     }
 
-    /// Whether there is no pixel in it.
+    /// Whether it holds no pixel.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.left >= self.right || self.top >= self.bottom
     }
 
-    /// The pixels in both.
+    /// Returns the pixels that are in both.
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {
         Self {
@@ -65,12 +65,12 @@ impl Window {
 pub struct Layout {
     /// The addresses from a row to the next.
     pub pitch: i32,
-    /// The distance of the display's first pixel before address 0.
+    /// How far the display's first pixel lies before address 0.
     pub origin: i32,
 }
 
 impl Layout {
-    /// The address of a row's column 0.
+    /// Returns the address of column 0 of a row.
     #[inline(always)]
     #[must_use]
     pub const fn row_address(&self, row: i32) -> i32 {

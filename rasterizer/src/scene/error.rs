@@ -10,13 +10,13 @@ use crate::{
 pub enum ProjectError {
     /// There is room for fewer vertices than the mesh has.
     VertexStorage {
-        /// How many the mesh has.
+        /// The number of vertices that the mesh has.
         needed: usize,
     },
     /// There are fewer words than the bands' bits take, as [`bin_words`](super::bin_words) counts
     /// them.
     BinStorage {
-        /// How many they take.
+        /// The number of words that they take.
         needed: usize,
     },
     /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
@@ -63,7 +63,7 @@ impl core::error::Error for ProjectError {}
 /// Why drawing an object failed; `E` is the target's error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum DrawError<E> {
-    /// The object cannot be drawn; nothing of it was.
+    /// The object cannot be drawn; none of it has been.
     Project(ProjectError),
     /// The target failed; some of the object may have been drawn.
     Target(E),
@@ -86,7 +86,7 @@ impl<E: core::fmt::Display> core::fmt::Display for DrawError<E> {
 
 impl<E: core::error::Error> core::error::Error for DrawError<E> {}
 
-/// Whether the mesh has the tables that a shader reads.
+/// Checks that the mesh has the tables that a shader reads.
 pub(super) const fn check_tables(
     tables: &Tables<'_>,
     required: RequiredTables,

@@ -8,11 +8,11 @@
 //!
 //! # Stack discipline
 //!
-//! A frame is drawn within 2 KB of stack. Three habits keep it so, and every exception to plain
-//! code in this module is one of them: a step that is done before pixels are drawn is a function
-//! that is not inlined, so that its temporaries leave the stack; a large value is built in place,
-//! by an out-parameter, instead of returned and copied; a value that is made before it can be known
-//! to be valid ([`Projected`]) is checked by its maker and never leaves it unchecked.
+//! A frame is drawn within 2 KB of stack. Three habits keep it so, and they explain every exception
+//! to plain code in this module: a step that is done before pixels are drawn is a function that is
+//! not inlined, so that its temporaries leave the stack; a large value is built in place, by an
+//! out-parameter, instead of returned and copied; a value that is built before it is known to be
+//! valid ([`Projected`]) is checked by the function that builds it, before that returns it.
 
 mod bins;
 mod error;
@@ -130,16 +130,16 @@ impl<'a, Sh: Shader, M: Mode> Object<'a, Sh, M> {
 
     /// Projects all vertices once per frame.
     ///
-    /// `storage` has room for all vertices of the mesh; its type says how finely they are placed
-    /// ([`S4`] or [`S8`]).
+    /// `storage` has room for all vertices of the mesh; its type chooses their precision ([`S4`] or
+    /// [`S8`]).
     ///
     /// # Errors
     ///
-    /// If the storage is too small, the mesh lacks a table that the shader reads, or the object is
-    /// too large or too far away for the camera's numbers.
+    /// Returns an error if the storage is too small, the mesh lacks a table that the shader reads,
+    /// or the object is too large or too far away for the camera's numbers.
     ///
-    /// [`S4`]: crate::geometry::S4
-    /// [`S8`]: crate::geometry::S8
+    /// [`S4`]: crate::numbers::S4
+    /// [`S8`]: crate::numbers::S8
     // codegen: not inlined, or its temporaries would occupy the caller's frame while triangles are
     // drawn.
     #[inline(never)]
@@ -155,25 +155,25 @@ impl<'a, Sh: Shader, M: Mode> Object<'a, Sh, M> {
         Ok(projected)
     }
 
-    /// The part of the storage that the object needs, if its mesh has the tables that its shader
-    /// reads.
+    /// Returns the part of the storage that the object needs. Checks that its mesh has the tables
+    /// that its shader reads.
     fn room_in<'v, T>(&self, storage: &'v mut [T]) -> Result<&'v mut [T], ProjectError> {
         error::check_tables(self.mesh.tables(), Sh::TABLES)?;
         let needed = self.mesh.vertex_count();
         storage.get_mut(..needed).ok_or(ProjectError::VertexStorage { needed })
     }
 
-    /// The object as the camera sees it, without storage for its vertices: each is projected when
-    /// a triangle needs it, in the precision given ([`S4`] or [`S8`]), and the same pixels are
-    /// drawn as after [`project`](Self::project).
+    /// Prepares the object without storage for its vertices: each is projected when a triangle
+    /// needs it, in the given precision ([`S4`] or [`S8`]). The same pixels are drawn as after
+    /// [`project`](Self::project).
     ///
     /// # Errors
     ///
-    /// If the mesh lacks a table that the shader reads, or the object is too large or too far away
-    /// for the camera's numbers.
+    /// Returns an error if the mesh lacks a table that the shader reads, or the object is too large
+    /// or too far away for the camera's numbers.
     ///
-    /// [`S4`]: crate::geometry::S4
-    /// [`S8`]: crate::geometry::S8
+    /// [`S4`]: crate::numbers::S4
+    /// [`S8`]: crate::numbers::S8
     pub fn project_on_demand<P: Projection, S: Subpixel, D: DepthFormat>(
         &self,
         camera: &Camera<P>,

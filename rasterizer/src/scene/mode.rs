@@ -9,7 +9,7 @@ use crate::{
 pub trait Mode: Copy + private::Sealed {
     /// Which faces are left out.
     type Culling: Culling;
-    /// What becomes of triangles that reach beyond the near plane, the far plane or the guard band.
+    /// How triangles are treated that reach beyond the near plane, the far plane or the guard band.
     type Clipping: Clipping;
     /// How pixels are put onto a target.
     type Blending: Copy;

@@ -1,4 +1,4 @@
-//! The memory that drawing a mesh takes, known before the firmware runs.
+//! The memory that drawing a mesh takes, known when the firmware is compiled.
 
 use embedded_graphics_core::geometry::Size;
 
@@ -9,7 +9,7 @@ use crate::{
     shade::{OnScreen, Shader},
 };
 
-/// What the caller owns to draw a mesh in bands, as lengths of arrays, at compile time.
+/// The memory that the caller provides to draw a mesh in bands: lengths of arrays, at compile time.
 ///
 /// ```
 /// use embedded_graphics_core::{pixelcolor::Rgb565, prelude::*};
@@ -28,7 +28,8 @@ use crate::{
 /// let mut bins = [0u32; NEEDS.bin_words];
 /// let (mut color, mut depth) = ([Rgb565::BLACK; NEEDS.pixels], [0u16; NEEDS.pixels]);
 ///
-/// // 4 vertices of 12 bytes, 15 words of bits, 3,840 pixels of 4 bytes: checked when the firmware is compiled.
+/// // 4 vertices of 12 bytes, 15 words of bits, 3,840 pixels of 4 bytes: checked when the
+/// // firmware is compiled.
 /// const { assert!(NEEDS.bytes::<S4, u16, Unlit<Rgb565>>() == 4 * 12 + 15 * 4 + 3840 * 4) }
 /// assert_eq!(NEEDS.vertices, vertices.len());
 /// # let _ = (&mut vertices, &mut bins, &mut color, &mut depth);
@@ -39,7 +40,7 @@ pub struct Needs {
     pub vertices: usize,
     /// Words of bins, for [`Projected::binned`](super::Projected::binned).
     pub bin_words: usize,
-    /// Pixels of a band: of colour and, unless nothing tests it, of depth.
+    /// Pixels of a band: of colour and, if it is tested, of depth.
     pub pixels: usize,
 }
 

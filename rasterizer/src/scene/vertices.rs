@@ -1,5 +1,4 @@
-//! Where the vertices of triangles come from: storage that was filled once, or a calculation on the
-//! spot.
+//! Where the vertices of triangles come from: storage that is filled once, or projection on demand.
 
 use core::marker::PhantomData;
 
@@ -18,7 +17,7 @@ pub trait Vertices<V>: Copy + private::Sealed {
     /// What finds them while triangles are visited.
     type Lookup: Lookup<Self::Subpixel, Self::Depth, V>;
 
-    /// Begins a drawing of triangles.
+    /// Begins a pass over triangles.
     fn lookup(self) -> Self::Lookup;
 }
 
@@ -30,7 +29,8 @@ mod private {
 
 /// Finds the vertices of triangles.
 pub trait Lookup<S, D, V> {
-    /// The three vertices of these indices; `place` works one out. Nothing if there are none.
+    /// Returns the three vertices of these indices, or `None` if one does not exist. `place`
+    /// projects a vertex.
     fn corners(
         &mut self,
         indices: [usize; 3],
@@ -60,11 +60,11 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
     }
 }
 
-/// No storage: a vertex is worked out when a triangle needs it, and `N` recent ones are kept on the
+/// No storage: a vertex is projected when a triangle needs it, and `N` recent ones are kept on the
 /// stack while an object is drawn, 16 bytes each with 16-bit depth and one varying.
 ///
 /// The converter orders triangles so that their vertices come up again soon. How often a vertex is
-/// worked out on average when the models that the project ships are drawn once:
+/// projected on average when the bundled models are drawn once:
 ///
 /// | `N` | 0 | 8 | 16 | 32 |
 /// |---|---|---|---|---|
@@ -72,8 +72,8 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
 /// | rocket | 3.8 | 1.4 | 1.3 | 1.2 |
 /// | torus knot | 6.0 | 2.4 | 1.8 | 1.0 |
 ///
-/// Each draw begins anew, so that a frame in 15 bands costs that 15 times.
-/// [Bins](super::Projected::binned) bring it down to the vertices of the triangles in each band: of
+/// Each draw begins with an empty cache, so a frame in 15 bands costs that 15 times.
+/// [Bins](super::Projected::binned) reduce it to the vertices of the triangles in each band: of
 /// 5,856 triangles, 6.0 million instructions with 35 KB of vertices and 11 KB of bins (Cortex-M0+,
 /// 320 x 240) become 7.6 million with the bins alone, and 30 million with neither. Powers of two
 /// are the fastest `N`.
@@ -113,11 +113,11 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate, const N: usize> Vertices<V>
 #[derive(Clone, Copy, Debug)]
 pub struct Recent<S, D, V, const N: usize> {
     slots: [Slot<S, D, V>; N],
-    /// Those of the triangle at hand: in the cache one may take the place of another.
+    /// The corners of the current triangle: in the cache, one may replace another.
     corners: [ScreenVertex<S, D, V>; 3],
 }
 
-/// A vertex and its index, which is no vertex's if there is none.
+/// A cached vertex and its index; `usize::MAX` marks an empty slot.
 #[derive(Clone, Copy, Debug)]
 struct Slot<S, D, V> {
     index: usize,

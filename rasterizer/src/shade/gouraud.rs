@@ -1,4 +1,4 @@
-//! Light worked out at the vertices and interpolated between them.
+//! Light computed at the vertices and interpolated between them.
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use fixed::types::U16F16;

@@ -18,17 +18,17 @@ pub type Level = U1F15;
 pub struct Light {
     /// The direction towards the light, of length one, in Q30.
     toward: [i32; 3],
-    /// The same times the gain, in Q28: what the normals are multiplied with.
+    /// The same times the gain, in Q28: the factors of a normal.
     factors: [i32; 3],
     ambient: Level,
     diffuse: Level,
-    /// `diffuse` / 127 in Q28, rounded down. Here, so that no object divides.
+    /// `diffuse` / 127 in Q28, rounded down. Computed here, so that no object divides.
     gain: i32,
 }
 
 impl Light {
-    /// Light from the direction of `toward`, seen from the origin; a zero vector leaves the ambient
-    /// light alone.
+    /// Light from the direction of `toward`, seen from the origin; a zero vector gives ambient
+    /// light only.
     #[must_use]
     pub const fn new(toward: Vec3, ambient: Level, diffuse: Level) -> Self {
         let [x, y, z] = toward.to_bits();
@@ -40,16 +40,16 @@ impl Light {
         Self { toward, factors: factors(toward, gain), ambient, diffuse, gain }
     }
 
-    /// The light as an object in this pose sees it.
+    /// Returns the light in the object space of this pose.
     #[must_use]
     pub fn for_object(&self, pose: &Pose) -> Self {
         let toward = pose.rotation.turn_back(&self.toward);
         Self { toward, factors: factors(toward, self.gain), ..*self }
     }
 
-    /// How brightly it lights a surface with this normal in object space, 127 standing for 1: Q16,
-    /// from 0 to 65,536. Within 2<sup>-13</sup> for the normal and the direction as they are
-    /// rounded.
+    /// Returns the brightness of a surface with this normal in object space, 127 standing for 1:
+    /// Q16, from 0 to 65,536. It is within 2<sup>-13</sup> for the normal and the direction as they
+    /// are rounded.
     #[inline(always)]
     #[must_use]
     pub fn level(&self, normal: [i8; 3]) -> u32 {
@@ -73,7 +73,7 @@ impl Light {
         self.ambient
     }
 
-    /// What is added to it for a surface that faces the light.
+    /// What is added to the ambient level on a surface that faces the light.
     #[must_use]
     pub const fn diffuse(&self) -> Level {
         self.diffuse

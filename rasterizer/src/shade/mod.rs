@@ -1,9 +1,10 @@
-//! What a covered pixel becomes.
+//! The colours of covered pixels.
 //!
-//! A [`Shader`] is resolved at compile time: the loop over a span's pixels is built for it alone.
-//! It works in steps, each as rarely as possible: a material becomes a *surface* once for its run of
-//! triangles, a vertex gets its *varyings* once a frame, a triangle its *face*, and a pixel its
-//! colour from surface, face and interpolated varyings; or the whole face has one colour.
+//! A [`Shader`] is resolved at compile time: the loop over a span's pixels is compiled for it
+//! alone. It works in steps, each as rarely as possible: it computes a *surface* once for a
+//! material's run of triangles, *varyings* once per vertex, a *face* once per triangle, and a
+//! colour for each pixel from surface, face and interpolated varyings. Or it gives the whole face
+//! one colour.
 //!
 //! Colours are computed in the values that pictures store, without a gamma curve, as small displays
 //! expect.
@@ -70,29 +71,30 @@ pub trait Shader: Clone {
     /// What a vertex carries to the pixels: arrays and tuples of `u16`, `i16` and `u32`; `[u16; 0]`
     /// for nothing.
     type Varyings: Varyings;
-    /// What a material becomes, computed once for its run of triangles.
+    /// What is computed from a material, once for its run of triangles.
     type Surface;
-    /// What a triangle becomes, before its pixels are drawn: `()` for most shaders.
+    /// What is computed from a triangle before its pixels are drawn: `()` for most shaders.
     type Face: Default;
-    /// What a pixel becomes: the colour, or an `Option` of it in a shader that discards pixels.
+    /// The result for a pixel: the colour, or an `Option` of it in a shader that discards pixels.
     type Outcome: Outcome<Self::Color>;
 
-    /// The tables of the mesh that it reads; drawing a mesh without them is an error.
+    /// The mesh tables that the shader reads. Drawing a mesh without one of them is an error.
     const TABLES: RequiredTables = RequiredTables::NONE;
 
-    /// The shader for an object in this pose, with its directions in object space.
+    /// Returns the shader for an object in this pose, with its directions in object space. Called
+    /// once per projected object.
     #[must_use]
     fn for_object(&self, _pose: &Pose) -> Self {
         self.clone()
     }
 
-    /// What a material becomes.
+    /// Computes the surface of a material.
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface;
 
-    /// The varyings of a vertex.
+    /// Computes the varyings of a vertex.
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings;
 
-    /// What a triangle becomes: one colour for all of it, or what its pixels are shaded with.
+    /// Computes one colour for all of a triangle, or what its pixels are shaded with.
     #[inline(always)]
     fn face(
         &self,
@@ -103,8 +105,9 @@ pub trait Shader: Clone {
         Face::Shaded(Self::Face::default())
     }
 
-    /// What a pixel becomes. A varying of 16 bits arrives with 16 more behind the point, half a unit
-    /// above its interpolated value, so that its integer part is rounded.
+    /// Computes the colour of a pixel, or discards it. A varying of 16 bits arrives with 16 more
+    /// behind the point, half a unit above its interpolated value, so that its integer part is
+    /// rounded.
     fn pixel(
         &self,
         surface: &Self::Surface,

@@ -1,12 +1,12 @@
-//! What a shader makes of a fragment.
+//! The result of shading a fragment.
 
-/// A colour, or with `Option` of a colour maybe none: the pixel is then discarded, and keeps its
-/// colour and its depth.
+/// A colour, or an `Option` of one: `None` discards the pixel, which keeps its colour and its
+/// depth.
 pub trait Outcome<C> {
-    /// Whether there may be none.
+    /// Whether a pixel can be discarded.
     const DISCARDS: bool;
 
-    /// The colour, or `None` to discard the pixel.
+    /// Returns the colour, or `None` to discard the pixel.
     fn color(self) -> Option<C>;
 }
 

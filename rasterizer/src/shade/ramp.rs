@@ -3,11 +3,11 @@
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use fixed::types::U16F16;
 
-/// `LEVELS` colours, a power of two of them, to be looked up by brightness.
+/// `LEVELS` colours, looked up by brightness. `LEVELS` is a power of two.
 ///
-/// One interpolated number a pixel gives all channels at once, and any course of colours that one
-/// likes: a surface in coloured light, the few steps of a cartoon, hot metal. 64 levels are as many
-/// as the finest channel of RGB565 has.
+/// One interpolated number per pixel gives all channels, and the colours can follow any course: a
+/// surface in coloured light, the few steps of a cartoon, hot metal. 64 levels are as many as the
+/// finest channel of RGB565 has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ramp<C, const LEVELS: usize> {
     colors: [C; LEVELS],
@@ -22,13 +22,13 @@ impl<C: Copy, const LEVELS: usize> Ramp<C, LEVELS> {
         LEVELS.trailing_zeros()
     };
 
-    /// By a function of the level, from 0 to `LEVELS` - 1.
+    /// Calls `color` with each level, from 0 to `LEVELS` - 1.
     #[must_use]
     pub fn from_fn(color: impl FnMut(usize) -> C) -> Self {
         Self { colors: core::array::from_fn(color) }
     }
 
-    /// A brightness in Q16, 0 to 65,536, as the varying that [`at`](Self::at) takes.
+    /// Returns a brightness in Q16, 0 to 65,536, as the varying that [`at`](Self::at) takes.
     ///
     /// The nearest level of the ramp is the varying's upper bits: 0 and 65,536 lie in the middle of
     /// the first and the last level.
@@ -39,14 +39,14 @@ impl<C: Copy, const LEVELS: usize> Ramp<C, LEVELS> {
         (level - (level >> Self::INDEX_BITS) + half_step) as u16
     }
 
-    /// The colour for an interpolated varying.
+    /// Returns the colour for an interpolated varying.
     #[inline(always)]
     #[must_use]
     pub const fn at(&self, varying: U16F16) -> C {
         self.colors[(varying.to_bits() >> (32 - Self::INDEX_BITS)) as usize & (LEVELS - 1)]
     }
 
-    /// The colour nearest to a brightness in Q16, 0 to 65,536.
+    /// Returns the colour nearest to a brightness in Q16, 0 to 65,536.
     #[inline(always)]
     #[must_use]
     pub fn nearest(&self, level: u32) -> C {
@@ -58,12 +58,12 @@ impl<C: Copy + From<Rgb888>, const LEVELS: usize> Ramp<C, LEVELS> {
     /// From `dark` to `bright` in equal steps, each channel rounded to the nearest; with more than
     /// 256 levels within 3/4 of its step.
     #[must_use]
-    // Inlined it would be in the loop over triangles, which needs the registers.
+    // codegen: not inlined, because the loop over triangles needs its registers.
     #[inline(never)]
     pub fn between(dark: Rgb888, bright: Rgb888) -> Self {
         // 1 / last in Q24, within 2^-25. A channel is off by 255 last 2^-25 at most, and rounds
-        // alike if that is less than 1 / 2 last: no level is nearer to the middle of two
-        // steps, as `last` is odd.
+        // alike if that is less than 1 / 2 last: no level is nearer to the middle of two steps, as
+        // `last` is odd.
         let step = const { ((1 << 24) + (LEVELS as i32 - 1) / 2) / (LEVELS as i32 - 1) };
         let channel = |from: u8, to: u8, level: usize| {
             let way = (i32::from(to) - i32::from(from)) * level as i32;

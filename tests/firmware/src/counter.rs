@@ -1,4 +1,4 @@
-//! Counts instructions in QEMU, as `-icount shift=0` makes it: one takes a nanosecond.
+//! Counts instructions in QEMU, where each takes a nanosecond with `-icount shift=0`.
 //!
 //! A count is in units of the core's timer: the system timer of Cortex-M boards ticks at 25 MHz (20
 //! MHz on mps2-an505), every 40 (50) instructions; on RISC-V the register `mcycle` counts them one
@@ -15,38 +15,38 @@ pub fn start() {
     }
 }
 
-/// Starts the timer, which runs already.
+/// Does nothing: the timer runs already.
 #[cfg(not(all(target_os = "none", target_arch = "arm")))]
 pub const fn start() {}
 
-/// A moment.
+/// A reading of the timer.
 #[derive(Clone, Copy, Debug)]
 pub struct Moment(u32);
 
 impl Moment {
-    /// This one.
+    /// Reads the timer.
     #[cfg(all(target_os = "none", target_arch = "arm"))]
     #[must_use]
     pub fn now() -> Self {
         Self(cortex_m::peripheral::SYST::get_current())
     }
 
-    /// This one.
+    /// Reads the timer.
     #[cfg(all(target_os = "none", target_arch = "riscv32"))]
     #[must_use]
     pub fn now() -> Self {
         Self(riscv::register::mcycle::read() as u32)
     }
 
-    /// This one.
+    /// Returns 0: the host does not count.
     #[cfg(not(target_os = "none"))]
     #[must_use]
     pub const fn now() -> Self {
         Self(0)
     }
 
-    /// Units since then. The system timer has 24 bits: it goes round after 671 million
-    /// instructions, `mcycle` after 4,295 million.
+    /// Returns the units since this moment. The system timer has 24 bits: it wraps after 671
+    /// million instructions, `mcycle` after 4,295 million.
     #[cfg_attr(
         not(target_os = "none"),
         expect(clippy::missing_const_for_fn, reason = "on a core it reads the timer")

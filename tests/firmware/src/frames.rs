@@ -69,7 +69,7 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     flat(memory, light);
 }
 
-/// A convex body, straight into memory without depth, by the normals of its triangles.
+/// A convex body, straight into memory without depth, lit by the normals of its triangles.
 fn flat(memory: &mut Memory<PIXELS>, light: Light) {
     let camera =
         Camera::at(Vec3::lit("0", "0", "4"), Rotation::IDENTITY, LENS, AREA).unwrap_or_else(fail);
@@ -159,8 +159,8 @@ impl DrawTarget for Hashing {
     }
 }
 
-/// FNV-1a over the pixels' 16-bit values as a number of any core, going on from the hash of what
-/// came before.
+/// FNV-1a over the pixels' 16-bit values, which are the same on any core, continued from the hash
+/// `before`.
 fn hash(before: u32, pixels: &[Rgb565Be]) -> u32 {
     let start = before ^ 0x811C_9DC5;
     let end = pixels.iter().fold(start, |hash, &pixel| {

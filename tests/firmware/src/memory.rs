@@ -5,7 +5,7 @@ use core::cell::RefCell;
 use critical_section::Mutex;
 use rasterizer::output::Rgb565Be;
 
-/// Colour and depth of so many pixels.
+/// Colour and depth of `PIXELS` pixels.
 #[derive(Debug)]
 pub struct Memory<const PIXELS: usize> {
     /// The pixels, as a display's bus takes them.

@@ -24,7 +24,7 @@ pub const VERTICES: usize = 50_625;
 /// Triangles of the largest surface.
 pub const TRIANGLES: usize = 100_352;
 
-/// Each shows other pixels along the same edges; four smooth a curve as well as eight.
+/// Each frame covers other pixels along the same edges; four smooth a curve as well as eight.
 const FRAMES: u32 = 4;
 
 /// Parallels and meridians of spheres with 100 to 100,000 triangles, about twice as many from each

@@ -15,7 +15,7 @@ use crate::cost::fail;
 const UNIT: i32 = 1 << UNIT_BITS;
 const UNIT_BITS: u32 = 14;
 
-/// A surface with up to so many vertices and triangles, with the normals of its vertices.
+/// A surface of up to `VERTICES` vertices, with their normals, and `TRIANGLES` triangles.
 #[derive(Debug)]
 pub struct Surface<const VERTICES: usize, const TRIANGLES: usize> {
     positions: [[i16; 3]; VERTICES],
@@ -44,12 +44,12 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
         }))
     }
 
-    /// A sphere of radius 1 with so many parallels between its poles: 2 `parallels` `meridians`
-    /// triangles.
+    /// Makes a sphere of radius 1 with `parallels` circles between its poles: 2 `parallels`
+    /// `meridians` triangles.
     ///
     /// # Panics
     ///
-    /// As [`square`](Self::square).
+    /// Panics as [`square`](Self::square) does.
     pub fn sphere(&mut self, parallels: u16, meridians: u16) {
         self.clear();
         let (north, south) =
@@ -85,12 +85,12 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
         }
     }
 
-    /// The square of side 2 that faces +z, of `cells` x `cells` cells: 2 `cells`<sup>2</sup>
+    /// Makes the square of side 2 that faces +z, of `cells` x `cells` cells: 2 `cells`<sup>2</sup>
     /// triangles.
     ///
     /// # Panics
     ///
-    /// If there is no room for so many vertices or triangles.
+    /// Panics if there is no room for its vertices or triangles.
     pub fn square(&mut self, cells: u16) {
         self.clear();
         let coordinate = |line: u16| 2 * UNIT * i32::from(line) / i32::from(cells) - UNIT;
@@ -109,11 +109,11 @@ impl<const VERTICES: usize, const TRIANGLES: usize> Surface<VERTICES, TRIANGLES>
         }
     }
 
-    /// What was made last, as a mesh.
+    /// Returns the last surface as a mesh.
     ///
     /// # Panics
     ///
-    /// If it is none.
+    /// Panics if there is none.
     #[must_use]
     pub fn mesh(&self) -> Mesh<'_> {
         let vertices = usize::from(self.vertex_count);

@@ -1,6 +1,6 @@
 //! The frames of a scene: what is seen in each, and the memory and the loop that draw one.
 //!
-//! All use of the rasterizer's targets is here, so that the scenes do not change with them.
+//! All use of the rasterizer's targets is here: the scenes need no change when a target does.
 
 use core::hint::black_box;
 
@@ -46,12 +46,12 @@ impl View {
     }
 }
 
-/// As a whole, closer than the near plane allows, from inside, and from afar: so every path of the
-/// rasterizer is taken, and the stack comes as far as it can.
+/// As a whole, closer than the near plane allows, from inside, and from afar: together they take
+/// every path of the rasterizer, and the deepest stack.
 const VIEWS: [View; 4] =
     [View::new("4", 40), View::new("1.05", 85), View::new("0.05", 130), View::new("99", 175)];
 
-/// Draws a frame for each view. They are hidden from the compiler, as a program's input is.
+/// Draws a frame for each view. The compiler cannot see them, like a program's input.
 pub(super) fn for_each_view(mut draw: impl FnMut(&View) -> Option<()>) -> Option<()> {
     for view in black_box(&VIEWS) {
         draw(view)?;
@@ -59,7 +59,7 @@ pub(super) fn for_each_view(mut draw: impl FnMut(&View) -> Option<()>) -> Option
     Some(())
 }
 
-/// A picture of so many columns.
+/// A picture of `width` columns.
 pub(super) const fn picture(width: u32) -> Rectangle {
     Rectangle::new(Point::zero(), Size::new(width, HEIGHT))
 }
@@ -150,7 +150,7 @@ where
         bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
     }
 
-    /// The same straight onto the display, as far as the camera's viewport goes.
+    /// The same straight onto the display, in the camera's viewport.
     pub(super) fn draw_directly<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings = V>,

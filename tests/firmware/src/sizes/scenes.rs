@@ -41,7 +41,7 @@ const ORTHOGRAPHIC: Orthographic = match Orthographic::new(Distance::lit("2.5"),
     Err(_) => panic!("the lens makes no sense"),
 };
 
-// In constants, as a text that is read at run time brings the code to read it.
+// In constants, because a text that is read at run time brings the code to read it.
 const SUN: Vec3 = Vec3::lit("-1", "2", "3");
 const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
 
@@ -335,7 +335,8 @@ impl Scene for Everything {
     }
 }
 
-/// Each picture in a function of its own, whose stack ends with it.
+/// One method for each picture.
+// codegen: not inlined, so that a picture's stack is free again for the next.
 impl Store {
     #[inline(never)]
     fn draw_in_perspective(&mut self, view: &View, display: &mut Display) -> Option<()> {
