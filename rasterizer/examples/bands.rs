@@ -31,7 +31,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let mut bins = [0; NEEDS.bin_words];
 
     // What can fail about an object fails here, before the first pixel.
-    let seen = rocket.project(&camera()?, &mut vertices)?.binned(ROWS, &mut bins)?;
+    let seen = rocket.project(&camera(SCREEN)?, &mut vertices)?.binned(ROWS, &mut bins)?;
     Bands::new(SCREEN, &mut color, &mut depth)?.show(
         screen,
         |band| band.clear_color(evening(band.bounding_box().top_left.y)),

@@ -44,7 +44,7 @@ fn see_through(stored: Rgb565, lit: Rgb565) -> Rgb565 {
 }
 
 pub(crate) fn draw(screen: &mut Screen) -> Result {
-    let camera = camera()?;
+    let camera = camera(SCREEN)?;
     let tilted = Rotation::about_z(-Turn::degrees(40)) * Rotation::about_y(Turn::degrees(50));
     let pose = Pose::rotated(tilted).scaled(const { Distance::lit("0.92") });
     let rocket = Object::new(&ROCKET, Gouraud::new(LIGHT)).posed(pose);

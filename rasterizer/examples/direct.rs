@@ -11,7 +11,7 @@ mod ball;
 mod common;
 
 use ball::ball;
-use common::{Result, Screen, camera};
+use common::{Result, SCREEN, Screen, camera};
 use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use rasterizer::{
     mesh::{Material, Mesh},
@@ -38,7 +38,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let tilted = Rotation::about_z(-Turn::degrees(25)) * Rotation::about_x(Turn::degrees(15));
     let pose = Pose::rotated(tilted).scaled(const { Distance::lit("0.85") });
     let planet = Object::new(&PLANET, Gouraud::new(LIGHT)).posed(pose);
-    planet.project_on_demand(&camera()?, S4)?.draw(&mut Direct::new(screen))?;
+    planet.project_on_demand(&camera(SCREEN)?, S4)?.draw(&mut Direct::new(screen))?;
     Ok(())
 }
 

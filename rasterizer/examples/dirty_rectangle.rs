@@ -24,7 +24,7 @@ const LIGHT: Light = Light::new(Vec3::lit("-2", "3", "4"), Level::lit("0.15"), L
 const GROUNDS: [Rgb565; 2] = [Rgb565::new(4, 10, 8), Rgb565::new(7, 18, 13)];
 
 pub(crate) fn draw(screen: &mut Screen) -> Result {
-    let camera = camera()?;
+    let camera = camera(SCREEN)?;
     // Memory for sixteen rows of the display, or for more rows of a narrower rectangle.
     let (mut color, mut depth) = ([Rgb565::BLACK; 240 * 16], [0u16; 240 * 16]);
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];

@@ -78,7 +78,7 @@ impl Shader for Perforated {
 }
 
 pub(crate) fn draw(screen: &mut Screen) -> Result {
-    let camera = camera()?;
+    let camera = camera(SCREEN)?;
     let tilted = Rotation::about_z(Turn::degrees(15)) * Rotation::about_x(Turn::degrees(20));
     let pose = Pose::rotated(tilted).scaled(const { Distance::lit("0.98") });
     let mut frame = Frame::new(COLOR.take(), DEPTH.take(), SCREEN)?;

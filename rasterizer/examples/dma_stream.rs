@@ -62,7 +62,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let mut depth = [0u16; NEEDS.pixels];
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; NEEDS.vertices];
     let mut bins = [0; NEEDS.bin_words];
-    let seen = rocket.project(&camera()?, &mut vertices)?.binned(ROWS, &mut bins)?;
+    let seen = rocket.project(&camera(SCREEN)?, &mut vertices)?.binned(ROWS, &mut bins)?;
 
     let grounds = [Rgb565::new(4, 16, 14), Rgb565::new(9, 11, 14)].map(Rgb565Be::from);
     let mut transfer = Transfer { display: screen, sending: SECOND.take() };

@@ -37,7 +37,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
 
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];
     let mut frame = Frame::new(COLOR.take(), DEPTH.take(), SCREEN)?;
-    rocket.draw(&camera()?, &mut vertices, &mut frame)?;
+    rocket.draw(&camera(SCREEN)?, &mut vertices, &mut frame)?;
     frame.present(screen)?;
     Ok(())
 }

@@ -49,7 +49,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
         .scaled(const { Distance::lit("1.05") });
     let rocket = Object::new(&ROCKET, Shading::new(LIGHT)).posed(pose);
 
-    let seen = rocket.project(&camera()?, VERTICES.take())?.binned(ROWS, BINS.take())?;
+    let seen = rocket.project(&camera(SCREEN)?, VERTICES.take())?.binned(ROWS, BINS.take())?;
     Bands::new(SCREEN, COLOR.take(), DEPTH.take())?.show(
         screen,
         |band| band.clear_color(NIGHT),

@@ -76,7 +76,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
 
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];
     let mut layers = Layers(LAYERS.take());
-    rocket.draw(&camera()?, &mut vertices, &mut layers)?;
+    rocket.draw(&camera(SCREEN)?, &mut vertices, &mut layers)?;
 
     let heat = layers.0.iter().map(|&count| HEAT[usize::from(count).min(HEAT.len() - 1)]);
     screen.fill_contiguous(&SCREEN, heat)?;

@@ -46,7 +46,7 @@ static COLOR: ConstStaticCell<[Rgb565; 240 * 240]> = ConstStaticCell::new([NIGHT
 static DEPTH: ConstStaticCell<[u16; 240 * 240]> = ConstStaticCell::new([0; 240 * 240]);
 
 pub(crate) fn draw(screen: &mut Screen) -> Result {
-    let camera = camera()?;
+    let camera = camera(SCREEN)?;
     let shader = Gouraud::new(LIGHT);
     let planet = Pose::rotated(Rotation::about_z(Turn::degrees(20)))
         .at(const { Vec3::lit("-0.32", "-0.3", "-1") })

@@ -41,7 +41,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let stars = (1..90).map(|n| Pixel(Point::new(n * 149 % 240, n * n * 7 % 211), star(n)));
     frame.draw_iter(stars)?;
 
-    rocket.draw(&camera()?, &mut vertices, &mut frame)?;
+    rocket.draw(&camera(SCREEN)?, &mut vertices, &mut frame)?;
 
     let title = MonoTextStyle::new(&FONT_9X18_BOLD, Rgb565::WHITE);
     Text::new("ROCKET", Point::new(12, 24), title).draw(&mut frame)?;

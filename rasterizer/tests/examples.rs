@@ -42,6 +42,7 @@ examples! {
     needs = "../examples/needs.rs",
     own_output = "../examples/own_output.rs",
     own_shader = "../examples/own_shader.rs",
+    projections = "../examples/projections.rs",
     several_objects = "../examples/several_objects.rs",
     text_over_picture = "../examples/text_over_picture.rs",
     unlit = "../examples/unlit.rs",

@@ -13,13 +13,14 @@ pub(crate) type Result<T = (), E = Box<dyn Error>> = core::result::Result<T, E>;
 /// The whole display.
 pub(crate) const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240, 240));
 
-/// Shows what is within 1.05 units of the origin, from in front.
-pub(crate) fn camera() -> Result<Camera> {
+/// Shows what is within 1.05 units of the origin, from in front, in a part of the display that is
+/// as high as all of it.
+pub(crate) fn camera(viewport: Rectangle) -> Result<Camera> {
     const NEAR: Distance = Distance::lit("0.1");
     const FAR: Distance = Distance::lit("100");
     const EYE: Vec3 = Vec3::lit("0", "0", "4");
     let lens = const { Perspective::new(Turn::degrees(30), NEAR, FAR) }?;
-    Ok(Camera::look_at(EYE, Vec3::ZERO, Vec3::Y, lens, SCREEN)?)
+    Ok(Camera::look_at(EYE, Vec3::ZERO, Vec3::Y, lens, viewport)?)
 }
 
 /// Stands for the display and its driver: it takes pixels as any other, and keeps them for a file.
