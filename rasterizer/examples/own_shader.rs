@@ -1,113 +1,94 @@
-//! A user's shader: contour lines on a cube, printed as text.
+//! A shader of the program: a light in eight steps, and contour lines at equal heights.
 //!
 //! `cargo run -p rasterizer --example own_shader`
 
-use embedded_graphics::{
-    geometry::{Point, Size},
-    pixelcolor::{Gray8, GrayColor, RgbColor},
-    primitives::Rectangle,
-};
-use fixed::types::U16F16;
-use rasterizer::{
-    camera::{Camera, Distance, Perspective},
-    geometry::{Pose, ScreenVertex},
-    mesh::{Material, Mesh, MeshMaterial, MeshVertex, Positions, Tables, Triangles},
-    numbers::{Rotation, S4, Scale, Turn, Vec3},
-    output::Frame,
-    raster::Fragment,
-    scene::Object,
-    shade::Shader,
-};
+mod common;
+/// What `host-tools convert` makes of `rocket.obj`.
+#[path = "models/rocket.rs"]
+pub mod rocket;
 
-/// Paints every other horizontal slice of the model black, the others in a grey as bright as the
-/// material's red.
+use common::{Result, SCREEN, Screen, camera};
+use embedded_graphics::{
+    pixelcolor::{Rgb565, Rgb888},
+    prelude::*,
+};
+use rasterizer::{
+    fixed::types::U16F16,
+    mesh::{MeshMaterial, MeshVertex, RequiredTables},
+    prelude::*,
+    raster::Fragment,
+    shade::Ramp,
+};
+use rocket::ROCKET;
+use static_cell::ConstStaticCell;
+
+const PAPER: Rgb565 = Rgb565::new(29, 57, 25);
+const LIGHT: Light = Light::new(Vec3::lit("-2", "3", "4"), Level::lit("0.45"), Level::lit("0.6"));
+
+static COLOR: ConstStaticCell<[Rgb565; 240 * 240]> = ConstStaticCell::new([PAPER; 240 * 240]);
+static DEPTH: ConstStaticCell<[u16; 240 * 240]> = ConstStaticCell::new([0; 240 * 240]);
+
+/// A light, and lines as on a map.
 #[derive(Clone)]
-struct Contours;
+struct Contours(Light);
 
 impl Shader for Contours {
-    type Color = Gray8;
-    type Varyings = [u16; 1];
-    type Surface = Gray8;
+    type Color = Rgb565;
+    /// The light level, and the height above the model's lowest point.
+    type Varyings = [u16; 2];
+    /// A material becomes a ramp from dark to bright, and a line's colour.
+    type Surface = (Ramp<Rgb565, 8>, Rgb565);
     type Face = ();
-    type Outcome = Gray8;
-    fn surface(&self, material: &MeshMaterial<'_>) -> Gray8 {
-        Gray8::new(material.rgb().r())
+    type Outcome = Rgb565;
+
+    /// Drawing a mesh without these is an error before the first pixel.
+    const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
+
+    /// Once a frame: with the light as the turned object sees it, normals need not be turned.
+    fn for_object(&self, pose: &Pose) -> Self {
+        Self(self.0.for_object(pose))
     }
-    fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 1] {
-        [vertex.position()[1] as u16 ^ 0x8000]
+
+    /// Once for each material.
+    fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {
+        let color = material.rgb();
+        let ink = Rgb888::new(color.r() / 3, color.g() / 3, color.b() / 3);
+        (Ramp::between(Rgb888::BLACK, color), ink.into())
     }
-    fn pixel(&self, surface: &Gray8, (): &(), fragment: Fragment<[U16F16; 1]>) -> Gray8 {
-        let [height] = fragment.varyings;
-        if height.to_bits() >> 28 & 1 == 0 { *surface } else { Gray8::BLACK }
+
+    /// Once for each vertex.
+    fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 2] {
+        let [_, height, _] = vertex.position();
+        let level = self.0.level(vertex.normal());
+        [Ramp::<Rgb565, 8>::varying(level), height as u16 ^ 0x8000]
+    }
+
+    /// For each pixel that is not hidden.
+    fn pixel(&self, surface: &Self::Surface, (): &(), fragment: Fragment<[U16F16; 2]>) -> Rgb565 {
+        let (ramp, ink) = surface;
+        let [level, height] = fragment.varyings;
+        // The lowest sixth of each of 32 slices is a line.
+        let in_slice = height.to_num::<u32>() % 2048;
+        if in_slice < 340 { *ink } else { ramp.at(level) }
     }
 }
 
-const END: i16 = 32_767;
+pub(crate) fn draw(screen: &mut Screen) -> Result {
+    let tilted = Rotation::about_x(Turn::degrees(25))
+        * Rotation::about_z(-Turn::degrees(40))
+        * Rotation::about_y(Turn::degrees(50));
+    let pose = Pose::rotated(tilted)
+        .at(const { Vec3::lit("0.03", "0.13", "0") })
+        .scaled(const { Distance::lit("1.25") });
+    let rocket = Object::new(&ROCKET, Contours(LIGHT)).posed(pose);
 
-/// A cube two units wide. Bits 0, 1 and 2 of a vertex's index are its side in x, y and z.
-static CUBE: Mesh<'static> = Mesh::new_const(Tables {
-    positions: Positions::I16(&[
-        [-END, -END, -END],
-        [END, -END, -END],
-        [-END, END, -END],
-        [END, END, -END],
-        [-END, -END, END],
-        [END, -END, END],
-        [-END, END, END],
-        [END, END, END],
-    ]),
-    scale: Scale::new(1, -15),
-    triangles: Triangles::U8(&[
-        [4, 5, 7],
-        [4, 7, 6],
-        [1, 0, 2],
-        [1, 2, 3],
-        [5, 1, 3],
-        [5, 3, 7],
-        [0, 4, 6],
-        [0, 6, 2],
-        [6, 7, 3],
-        [6, 3, 2],
-        [0, 1, 5],
-        [0, 5, 4],
-    ]),
-    materials: &[Material::new([255, 0, 0], 4), Material::new([120, 0, 0], 8)],
-    ..Tables::EMPTY
-});
-
-const WIDTH: u32 = 64;
-const HEIGHT: u32 = 48;
-const PIXELS: usize = (WIDTH * HEIGHT) as usize;
-const NEAR: Distance = Distance::lit("0.1");
-const FAR: Distance = Distance::lit("10");
-const EYE: Vec3 = Vec3::lit("0", "0", "4");
-
-/// Draws the cube as text, one line for two rows of pixels.
-pub(crate) fn picture() -> Result<String, Box<dyn std::error::Error>> {
-    let screen = Rectangle::new(Point::zero(), Size::new(WIDTH, HEIGHT));
-    let lens = Perspective::new(Turn::degrees(50), NEAR, FAR)?;
-    let camera = Camera::at(EYE, Rotation::IDENTITY, lens, screen)?;
-    let pose =
-        Pose::rotated(Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(Turn::degrees(30)));
-
-    let (mut color, mut depth) = ([Gray8::new(40); PIXELS], [0u16; PIXELS]);
-    let mut storage = [ScreenVertex::<S4, _, _>::EMPTY; 8];
-    let mut frame = Frame::new(&mut color, &mut depth, screen)?;
-    Object::new(&CUBE, Contours).posed(pose).draw(&camera, &mut storage, &mut frame)?;
-
-    let text = |row: &[Gray8]| -> String {
-        let shade = |pixel: &Gray8| match pixel.luma() {
-            0 => ' ',
-            1..=40 => '.',
-            41..=120 => '+',
-            _ => '#',
-        };
-        row.iter().map(shade).chain(['\n']).collect()
-    };
-    Ok(frame.pixels().chunks(WIDTH as usize).step_by(2).map(text).collect())
-}
-
-fn main() -> Result<(), Box<dyn std::error::Error>> {
-    print!("{}", picture()?);
+    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];
+    let mut frame = Frame::new(COLOR.take(), DEPTH.take(), SCREEN)?;
+    rocket.draw(&camera(SCREEN)?, &mut vertices, &mut frame)?;
+    frame.present(screen)?;
     Ok(())
+}
+
+fn main() -> Result {
+    common::run(draw)
 }

@@ -1,0 +1,96 @@
+//! Runs every example, and compares its picture with the one in `examples/pictures`.
+
+#![expect(clippy::duplicate_mod, reason = "each example is a program, with its own modules")]
+
+use std::{
+    env,
+    fmt::Debug,
+    fs,
+    io::BufReader,
+    path::{Path, PathBuf},
+};
+
+/// The examples. Each has a function `draw`, and becomes a test that calls it.
+macro_rules! examples {
+    ($($name:ident = $source:literal,)*) => {
+        $(
+            #[path = $source]
+            #[expect(dead_code, reason = "its main is not called")]
+            pub mod $name;
+
+            #[test]
+            fn $name() {
+                let mut screen = Default::default();
+                $name::draw(&mut screen).expect("the example runs");
+                check(stringify!($name), &screen.rgb(), || screen.png());
+            }
+        )*
+
+        const NAMES: &[&str] = &[$(stringify!($name)),*];
+    };
+}
+
+examples! {
+    bands = "../examples/bands.rs",
+    blending = "../examples/blending.rs",
+    direct = "../examples/direct.rs",
+    dirty_rectangle = "../examples/dirty_rectangle.rs",
+    discard = "../examples/discard.rs",
+    dma_stream = "../examples/dma_stream.rs",
+    flat = "../examples/flat.rs",
+    gouraud = "../examples/gouraud.rs",
+    needs = "../examples/needs.rs",
+    own_output = "../examples/own_output.rs",
+    own_shader = "../examples/own_shader.rs",
+    projections = "../examples/projections.rs",
+    several_objects = "../examples/several_objects.rs",
+    text_over_picture = "../examples/text_over_picture.rs",
+    unlit = "../examples/unlit.rs",
+}
+
+/// With this variable set, pictures are renewed before they are compared.
+const UPDATE: &str = "UPDATE_PICTURES";
+
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("examples")
+}
+
+/// Compares what an example drew with the picture that is kept, a PNG file.
+fn check<E: Debug>(name: &str, drawn: &[u8], png: impl FnOnce() -> Result<Vec<u8>, E>) {
+    let path = folder().join("pictures").join(name).with_extension("png");
+    if env::var_os(UPDATE).is_some() {
+        fs::write(&path, png().expect("a picture")).expect("the pictures can be written");
+    }
+    let kept = fs::File::open(&path).expect("the example's picture is kept");
+    let mut reader = png::Decoder::new(BufReader::new(kept)).read_info().expect("a PNG file");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("its size")];
+    reader.next_frame(&mut bytes).expect("its pixels");
+    let (drawn, kept) = (drawn.as_chunks::<3>().0, bytes.as_chunks::<3>().0);
+    let different = drawn.iter().zip(kept).filter(|(drawn, kept)| drawn != kept).count();
+    assert!(
+        different == 0 && drawn.len() == kept.len(),
+        "{different} pixels differ from {}. See what `cargo run -p rasterizer --example {name}` \
+         draws; `{UPDATE}=1 cargo test -p rasterizer --test examples` keeps it",
+        path.display(),
+    );
+}
+
+/// Cargo finds examples by their files; this test's list and the README's tables are written.
+#[test]
+fn every_example_is_in_the_list_and_in_the_readme() {
+    let mut found: Vec<String> = fs::read_dir(folder())
+        .expect("the folder of examples can be read")
+        .map(|entry| entry.expect("its entries can be read").path())
+        .filter(|path| path.extension().is_some_and(|extension| extension == "rs"))
+        .filter_map(|path| Some(path.file_stem()?.to_str()?.to_owned()))
+        .collect();
+    found.sort_unstable();
+    assert_eq!(found, NAMES);
+
+    let readme = include_str!("../examples/README.md");
+    for name in NAMES {
+        for link in [format!("![{name}](pictures/{name}.png)"), format!("[`{name}`]({name}.rs)")] {
+            assert!(readme.contains(&link), "examples/README.md lacks {link}");
+        }
+    }
+}
