@@ -490,8 +490,8 @@ fn bands_are_taken_one_by_one() {
     assert_eq!(bands.band(area(3, 10, 61, 6)).map(|band| band.pixels().len()), Ok(61 * 6));
 }
 
-/// Two buffers in turn, by `exchange` after each band and by `stream`: the same pixels are sent from
-/// the same buffers.
+/// Two buffers in turn, by `exchange` after each band and by `stream`: the same pixels are sent
+/// from the same buffers.
 #[test]
 fn exchanged_buffers_equal_a_stream() {
     let ball = ball();

@@ -176,8 +176,8 @@ fn mixed(stored: Rgb888, new: Rgb888, [a, b]: [u16; 2]) -> Rgb888 {
     )
 }
 
-/// A see-through cube that cuts into a ball: where it is nearer its colour is mixed with the ball's,
-/// and its depth is stored.
+/// A see-through cube that cuts into a ball: where it is nearer its colour is mixed with the
+/// ball's, and its depth is stored.
 fn blends<D: Framed, Sh: Shader<Color = Rgb888>>(
     shader: &Sh,
     blend: fn(Rgb888, Rgb888) -> Rgb888,
@@ -400,7 +400,7 @@ fn a_dither_is_seamless() {
 }
 
 /// The upper 24 bits of the depth.
-fn shown_depth(fragment: Fragment<[U16F16; 0]>) -> Rgb888 {
+const fn shown_depth(fragment: Fragment<[U16F16; 0]>) -> Rgb888 {
     let [red, green, blue, _] = fragment.depth.to_bits().to_be_bytes();
     Rgb888::new(red, green, blue)
 }
@@ -490,7 +490,7 @@ const LINES: [[i32; 3]; 8] = [
 /// The value of the varying at the first pixel and its change, in Q16.
 const RAMP: [u32; 2] = [0x1000_0000, 0x0031_0000];
 
-fn line<D: DepthFormat>(
+const fn line<D: DepthFormat>(
     [row, left, right]: [i32; 3],
     depth: D::Accumulator,
 ) -> HorizontalLine<D, u16> {
@@ -716,13 +716,14 @@ fn is_on_the_plane<S: Subpixel, W: Varyings, const N: usize>(
             }
         }
     }
-    // The ball's positions are within 16,384 of the origin: each number has a good part of its range.
+    // The ball's positions are within 16,384 of the origin: each number has a good part of its
+    // range.
     for i in 0..N {
         assert!(highest[i] - lowest[i] > 7000.0, "{} to {}", lowest[i], highest[i]);
     }
 }
 
-/// A fraction of half a unit more than the value: the value.
+/// The value, half a unit below what a shader sees.
 fn signed(value: I16F16) -> f64 {
     value.to_num::<f64>() - 0.5
 }
@@ -731,7 +732,8 @@ fn unsigned(value: U16F16) -> f64 {
     value.to_num::<f64>() - 0.5
 }
 
-/// Of 16 bits, by the bound for 4,096 pixels. (Of 32 bits half a unit of rounding is added to n / 2^18.)
+/// Of 16 bits, by the bound for 4,096 pixels. (Of 32 bits half a unit of rounding is added to n /
+/// 2^18.)
 const NARROW: f64 = 0.36;
 const WIDE: f64 = 0.52;
 
@@ -752,7 +754,9 @@ fn varyings_of_several_kinds_are_exact_planes() {
             [NARROW, NARROW, WIDE],
         );
         is_on_the_plane::<S, (i16, ([u32; 1], (u16, [i16; 1]))), 4>(
-            |[x, y, z]| (-x, ([x as u16 as u32 ^ 0x8000], (y as u16 ^ 0x8000, [z / 2 - 24_000]))),
+            |[x, y, z]| {
+                (-x, ([u32::from(x as u16) ^ 0x8000], (y as u16 ^ 0x8000, [z / 2 - 24_000])))
+            },
             |(a, ([b], (c, [d])))| [f64::from(a), f64::from(b), f64::from(c), f64::from(d)],
             |(a, ([b], (c, [d])))| [signed(a), f64::from(b), unsigned(c), signed(d)],
             [NARROW, WIDE, NARROW, NARROW],
@@ -762,8 +766,8 @@ fn varyings_of_several_kinds_are_exact_planes() {
     in_precision::<S8>();
 }
 
-/// A floor that runs from before the camera to behind it. Where the near plane cuts it, the varyings
-/// are those of the cut: the distance, which the depth tells too.
+/// A floor that runs from before the camera to behind it. Where the near plane cuts it, the
+/// varyings are those of the cut: the distance, which the depth tells too.
 #[test]
 fn the_near_plane_cuts_signed_varyings() {
     let floor = Surface::new(
@@ -894,8 +898,8 @@ impl Shader for Slopes {
     }
 }
 
-/// A face knows the plane that its pixels follow, the same in bands and in the whole frame, and from
-/// vertices in both precisions.
+/// A face knows the plane that its pixels follow, the same in bands and in the whole frame, and
+/// from vertices in both precisions.
 #[test]
 fn faces_know_their_gradients() {
     fn in_precision<S: Subpixel>() {
@@ -920,9 +924,13 @@ fn faces_know_their_gradients() {
     in_precision::<S8>();
 }
 
-/// A shader that notes the doubled area, in square pixels, and the varying's change a column.
+/// A triangle's place in the mesh's table, the varying at its corners, the doubled area in square
+/// pixels, and the varying's change a column.
+type Measured = (usize, [u16; 3], f64, f64);
+
+/// A shader that notes what a face can know.
 #[derive(Clone)]
-struct Measuring<'l>(&'l RefCell<Vec<(usize, [u16; 3], f64, f64)>>);
+struct Measuring<'l>(&'l RefCell<Vec<Measured>>);
 
 impl Shader for Measuring<'_> {
     type Color = Rgb888;
