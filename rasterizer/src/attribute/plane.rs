@@ -104,13 +104,12 @@ impl<S: Subpixel> TriangleSetup<S> {
     pub(super) fn exact_plane(&self, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let divisor = Divisor::new(self.area.unsigned_abs());
         let differences = [i32::from(b) - i32::from(a), i32::from(c) - i32::from(a)];
-        let numerators = if S::BITS <= 4 {
-            self.numerators(differences, wrapping_cross).map(i64::from)
-        } else {
-            self.numerators(differences.map(i64::from), wide_cross)
-        };
         let gradient = |n: i64| divisor.divide(self.signed(n) << (16 + S::BITS)).0;
-        let [x, y] = numerators.map(gradient);
+        let [x, y] = if S::BITS <= 4 {
+            self.gradients(differences, |products| gradient(wrapping_cross(products).into()))
+        } else {
+            self.gradients(differences, |products| gradient(wide_cross(products.map(i64::from))))
+        };
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units.
         let to_anchor = self.along_anchor([x, y].map(|gradient| (gradient >> S::BITS) as i32));
         Plane {
@@ -130,7 +129,8 @@ impl<S: Subpixel> TriangleSetup<S> {
             let (lower, _) = divisor.divide(rest << (8 + S::BITS));
             (upper << (8 + S::BITS)) + lower
         };
-        let [x, y] = self.numerators([b - start, c - start], wide_cross).map(gradient);
+        let differences = [b - start, c - start];
+        let [x, y] = self.gradients(differences, |products| gradient(wide_cross(products)));
         // Exact in all but its S uppermost bits.
         let [to_x, to_y] = self.to_anchor.map(i64::from);
         let to_anchor = x.wrapping_mul(to_x).wrapping_add(y.wrapping_mul(to_y)) >> S::BITS;
@@ -147,7 +147,7 @@ impl<S: Subpixel> TriangleSetup<S> {
         let differences = [i32::from(b) - i32::from(a), i32::from(c) - i32::from(a)];
         let QuickGradients { reciprocal, up, left } = quick;
         let gradient = |n: i32| mul_high(n << up, reciprocal);
-        let [x, y] = self.numerators(differences, wrapping_cross).map(gradient);
+        let [x, y] = self.gradients(differences, |products| gradient(wrapping_cross(products)));
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below
         // 2^30.
         let to_anchor = self.along_anchor([x >> S::BITS, y >> S::BITS]);
@@ -158,15 +158,15 @@ impl<S: Subpixel> TriangleSetup<S> {
         }
     }
 
-    /// The numerators of da/dx and da/dy from da1 and da2. `cross` returns p q - r s.
+    /// da/dx and da/dy from da1 and da2: `gradient` gets the p, q, r, s of a numerator p q - r s.
     #[inline(always)]
-    fn numerators<N: From<i32> + Copy>(
+    fn gradients<N: From<i32> + Copy, G>(
         &self,
         [d1, d2]: [N; 2],
-        cross: impl Fn([N; 4]) -> N,
-    ) -> [N; 2] {
+        gradient: impl Fn([N; 4]) -> G,
+    ) -> [G; 2] {
         let ([dx1, dx2], [dy1, dy2]) = (self.dx.map(N::from), self.dy.map(N::from));
-        [cross([d1, dy2, d2, dy1]), cross([d2, dx1, d1, dx2])]
+        [gradient([d1, dy2, d2, dy1]), gradient([d2, dx1, d1, dx2])]
     }
 
     /// A numerator for the area's absolute value.

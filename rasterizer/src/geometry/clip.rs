@@ -93,11 +93,10 @@ pub(crate) fn clip<P: Projection, V: Varyings>(
         for to in &polygon {
             let to_distance = plane.distance(to, transform);
             if (from_distance < 0) != (to_distance < 0) {
-                let mut vertex = if to_distance < 0 {
-                    crossing(from, to, from_distance, to_distance)
-                } else {
-                    crossing(to, from, to_distance, from_distance)
-                };
+                let (inside, outside) = if to_distance < 0 { (from, to) } else { (to, from) };
+                let (most, least) =
+                    (from_distance.max(to_distance), from_distance.min(to_distance));
+                let mut vertex = crossing(inside, outside, most, least);
                 plane.put_onto(&mut vertex, transform);
                 let _ = cut.push(vertex);
             }

@@ -71,8 +71,8 @@ impl<P: Projection> Transform<P> {
         }
     }
 
-    /// A copy, field by field: for one of the whole compilers call `memcpy`, 370 bytes where
-    /// nothing else does.
+    /// A copy, field by field.
+    // codegen: a copy of the whole is a call of `memcpy`, 370 bytes where nothing else calls it.
     #[inline(always)]
     pub(crate) const fn clone_by_fields(&self) -> Self {
         Self {
@@ -144,8 +144,7 @@ impl<P: Projection> Transform<P> {
     /// Whether a box is certain to lie outside a picture of so many pixels in width and height: all
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
-        let corners = cuboid.corners();
-        corners.iter().fold(0b11_1111, |bits, &corner| bits & self.beyond(corner, size)) != 0
+        (0..8).fold(0b11_1111, |bits, index| bits & self.beyond(cuboid.corner(index), size)) != 0
     }
 
     /// Beyond which planes of the picture a position lies: a bit for each of the six. A function of

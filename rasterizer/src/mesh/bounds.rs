@@ -36,14 +36,14 @@ impl BoundingBox {
         Self { min, max }
     }
 
-    /// The eight corners.
+    /// Corner `index` of the eight: bits 0, 1 and 2 are its sides in x, y and z.
     #[must_use]
-    pub fn corners(&self) -> [[i16; 3]; 8] {
-        core::array::from_fn(|corner| {
-            core::array::from_fn(|axis| {
-                if corner >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] }
-            })
-        })
+    pub fn corner(&self, index: usize) -> [i16; 3] {
+        core::array::from_fn(
+            |axis| {
+                if index >> axis & 1 == 0 { self.min[axis] } else { self.max[axis] }
+            },
+        )
     }
 }
 
@@ -62,7 +62,8 @@ mod tests {
 
     #[test]
     fn corners_are_all_different() {
-        let corners = BoundingBox::of(&[[-1, -2, -3], [1, 2, 3]]).corners();
+        let cuboid = BoundingBox::of(&[[-1, -2, -3], [1, 2, 3]]);
+        let corners: [_; 8] = core::array::from_fn(|index| cuboid.corner(index));
         for (i, a) in corners.iter().enumerate() {
             assert!(corners[..i].iter().all(|b| a != b), "corner {i} repeats");
         }

@@ -118,7 +118,9 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
     #[inline(always)]
     fn part(&mut self, area: Rectangle) -> Frame<'_, C, Lent<'_, B>> {
         let pixels = area.size.width as usize * area.size.height as usize;
-        let color = self.color.as_mut().get_mut(..pixels).unwrap_or_default();
+        let color = self.color.as_mut();
+        let color_pixels = pixels.min(color.len());
+        let color = color.get_mut(..color_pixels).unwrap_or_default();
         let mut band = Frame::part(color, self.depth.lend(pixels), area);
         band.clear_depth();
         band
@@ -234,7 +236,7 @@ impl Iterator for BandAreas {
         let Rectangle { top_left, size } = self.rest;
         let height = self.rows.min(size.height);
         self.rest = Rectangle::new(
-            Point::new(top_left.x, top_left.y.saturating_add_unsigned(height)),
+            Point::new(top_left.x, top_left.y.wrapping_add_unsigned(height)),
             Size::new(size.width, size.height - height),
         );
         Some(Rectangle::new(top_left, Size::new(size.width, height)))

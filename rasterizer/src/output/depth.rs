@@ -40,7 +40,7 @@ mod private {
         /// Whether there are at least `count` cells.
         fn holds(&self, count: usize) -> bool;
 
-        /// Lends the first `count` cells; none if there are fewer.
+        /// Lends the first `count` cells, or all if there are fewer.
         fn lend(&mut self, count: usize) -> Lent<'_, Self>;
 
         /// Sets all cells to the far end of the range.
@@ -88,15 +88,21 @@ impl<D: StoredDepth> Cells for &mut [D] {
 
     #[inline(always)]
     fn lend(&mut self, count: usize) -> &mut [D] {
+        let count = count.min(self.len());
         self.get_mut(..count).unwrap_or_default()
     }
 
     fn clear(&mut self) {
         // All bits of a zero are 0, in words of any size.
         let (start, words, end) = bytemuck::pod_align_to_mut::<D, u32>(self);
-        start.fill(D::ZERO);
         clear_words(words);
-        end.fill(D::ZERO);
+        // Half a word at each end at most.
+        if let Some(cell) = start.first_mut() {
+            *cell = D::ZERO;
+        }
+        if let Some(cell) = end.first_mut() {
+            *cell = D::ZERO;
+        }
     }
 
     fn clear_part(&mut self, cells: core::ops::Range<usize>) {

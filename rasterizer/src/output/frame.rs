@@ -34,7 +34,6 @@ pub struct Frame<'a, C, B, R = Packed> {
     color: &'a mut [C],
     depth: B,
     area: Rectangle,
-    window: Window,
     /// An address is an index of the buffers.
     layout: Layout,
     rows: PhantomData<R>,
@@ -212,9 +211,9 @@ impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B, Strided> {
 impl<'a, C: Copy, B: DepthBuffer, R: Rows> Frame<'a, C, B, R> {
     #[inline(always)]
     fn in_rows(color: &'a mut [C], depth: B, area: Rectangle, stride: u32) -> Self {
-        let (window, pitch) = (Window::new(&area), stride as i32);
-        let origin = window.top.wrapping_mul(pitch).wrapping_add(window.left);
-        Self { color, depth, area, window, layout: Layout { pitch, origin }, rows: PhantomData }
+        let (corner, pitch) = (area.top_left, stride as i32);
+        let origin = corner.y.wrapping_mul(pitch).wrapping_add(corner.x);
+        Self { color, depth, area, layout: Layout { pitch, origin }, rows: PhantomData }
     }
 
     /// Sets the depth of all pixels to the far end, and leaves their colours, for a background that
@@ -326,7 +325,7 @@ impl<C: StoredColor, B: DepthBuffer, R: Rows> Target for Frame<'_, C, B, R> {
     type Error = Infallible;
 
     fn window(&self) -> Window {
-        self.window
+        Window::new(&self.area)
     }
 
     #[inline(always)]
@@ -378,8 +377,8 @@ impl<C: StoredColor + PixelColor, B: DepthBuffer, R: Rows> DrawTarget for Frame<
     type Error = Infallible;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        let Window { left, top, right, bottom } = self.window();
         for Pixel(Point { x, y }, color) in pixels {
-            let Window { left, top, right, bottom } = self.window;
             if (left..right).contains(&x) && (top..bottom).contains(&y) {
                 let address = self.layout.row_address(y).wrapping_add(x);
                 if let Some(pixel) = self.color.get_mut(address as usize) {
@@ -391,7 +390,7 @@ impl<C: StoredColor + PixelColor, B: DepthBuffer, R: Rows> DrawTarget for Frame<
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), Infallible> {
-        let Window { left, top, right, bottom } = Window::new(area).intersection(&self.window);
+        let Window { left, top, right, bottom } = Window::new(area).intersection(&self.window());
         if left < right {
             let fill = C::Fill::new(color);
             for row in top..bottom {

@@ -16,15 +16,15 @@ pub struct Window {
 }
 
 impl Window {
-    /// The pixels of a rectangle.
+    /// The pixels of a rectangle; none if it reaches beyond the range of `i32`.
     #[must_use]
     pub const fn new(rectangle: &Rectangle) -> Self {
         let (corner, size) = (rectangle.top_left, rectangle.size);
         Self {
             left: corner.x,
             top: corner.y,
-            right: corner.x.saturating_add_unsigned(size.width),
-            bottom: corner.y.saturating_add_unsigned(size.height),
+            right: corner.x.wrapping_add_unsigned(size.width),
+            bottom: corner.y.wrapping_add_unsigned(size.height),
         }
     }
 

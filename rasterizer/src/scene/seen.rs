@@ -172,7 +172,7 @@ where
                 };
                 for pair in rim.windows(2) {
                     let corners = [hub, &pair[0], &pair[1]];
-                    if let Some(area) = Self::visible_area(corners, rows) {
+                    if let Some(area) = Self::visible_area_outlined(corners, rows) {
                         visit(index, corners, area)?;
                     }
                 }
@@ -188,6 +188,16 @@ where
         // Counter-clockwise is negative, as y runs downwards.
         let is_seen = (area < 0 && M::Culling::FRONT) || (area > 0 && M::Culling::BACK);
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
+    }
+
+    /// The same for the few triangles that are clipped.
+    #[cold]
+    #[inline(never)]
+    fn visible_area_outlined(
+        corners: Corners<'_, V::Subpixel, V::Depth, Sh>,
+        rows: Rows,
+    ) -> Option<i64> {
+        Self::visible_area(corners, rows)
     }
 
     /// Whether a triangle is certain to lie outside the picture: all its corners beyond one and the
@@ -236,8 +246,8 @@ const fn camera_window(viewport: &Rectangle) -> Window {
     }
 }
 
-/// Works out the vertices on the screen, as many as there is room for. A function of its own: the
-/// loop needs its registers.
+/// Projects vertices from the first on, as many as `vertices` has.
+// codegen: not inlined, because the loop needs its registers.
 #[inline(never)]
 fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     tables: &Tables<'_>,

@@ -101,7 +101,9 @@ where
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {
-        let seen = object.project(camera, &mut self.vertices).ok()?;
+        // By reference, as an object that is moved out of the result would be on the stack twice.
+        let seen = object.project(camera, &mut self.vertices);
+        let Ok(seen) = &seen else { return None };
         let mut bands = output::Bands::new(Self::PICTURE, &mut self.color, &mut self.depth).ok()?;
         bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
     }
@@ -141,7 +143,9 @@ where
         camera: &Camera<P>,
         display: &mut Display,
     ) -> Option<()> {
-        let seen = object.project(camera, &mut self.vertices).ok()?;
+        // By reference, as an object that is moved out of the result would be on the stack twice.
+        let seen = object.project(camera, &mut self.vertices);
+        let Ok(seen) = &seen else { return None };
         let mut bands = output::Bands::without_depth(Self::PICTURE, &mut self.color).ok()?;
         bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
     }

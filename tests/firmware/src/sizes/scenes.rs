@@ -342,16 +342,13 @@ impl Store {
         let eye = camera(view, PERSPECTIVE, PICTURE)?;
         let smooth = Object::new(&SPHERE, Gouraud::new(LIGHT))
             .posed(view.pose())
-            .project(&eye, &mut self.smooth)
-            .ok()?;
+            .project(&eye, &mut self.smooth);
         let faceted = Object::new(&CUBE, Flat::new(LIGHT))
             .posed(view.pose().at(Vec3::X))
-            .project(&eye, &mut self.faceted)
-            .ok()?;
-        let plain = Object::new(&BALL, Unlit::new())
-            .culled(CullNone)
-            .project(&eye, &mut self.plain)
-            .ok()?;
+            .project(&eye, &mut self.faceted);
+        let plain =
+            Object::new(&BALL, Unlit::new()).culled(CullNone).project(&eye, &mut self.plain);
+        let (Ok(smooth), Ok(faceted), Ok(plain)) = (&smooth, &faceted, &plain) else { return None };
         let mut bands = output::Bands::new(PICTURE, &mut self.color, &mut self.near).ok()?;
         let shown = bands.show(
             display,
@@ -379,13 +376,12 @@ impl Store {
         let eye = camera(view, ORTHOGRAPHIC, PICTURE)?;
         let smooth = Object::new(&SPHERE, Gouraud::new(LIGHT))
             .posed(view.pose())
-            .project(&eye, &mut self.smooth_wide)
-            .ok()?;
+            .project(&eye, &mut self.smooth_wide);
         let faceted = Object::new(&CUBE, Flat::new(LIGHT))
             .posed(view.pose().at(Vec3::X))
             .culled(CullNone)
-            .project(&eye, &mut self.faceted_wide)
-            .ok()?;
+            .project(&eye, &mut self.faceted_wide);
+        let (Ok(smooth), Ok(faceted)) = (&smooth, &faceted) else { return None };
         let mut bands = output::Bands::new(PICTURE, &mut self.color, &mut self.wide).ok()?;
         let shown = bands.show(
             display,
