@@ -136,11 +136,10 @@ fn text_shapes_and_images_go_under_objects_and_over_them() {
     }
 }
 
-/// Whether a rectangle of any size has a point.
+/// Whether a rectangle has a point. One that reaches beyond the range of `i32` has none.
 fn holds(rectangle: &Rectangle, point: Point) -> bool {
     let is_in = |from: i32, length: u32, at: i32| {
-        let from = i64::from(from);
-        (from..from + i64::from(length)).contains(&i64::from(at))
+        from.checked_add_unsigned(length).is_some_and(|end| (from..end).contains(&at))
     };
     let Rectangle { top_left, size } = rectangle;
     is_in(top_left.x, size.width, point.x) && is_in(top_left.y, size.height, point.y)
@@ -169,6 +168,7 @@ fn clips<R: Rows>(mut frame: Frame<'_, Rgb888, NoDepth, R>, name: &str) {
         area(low, low, most, most),
         area(low, 3, most, 1),
         area(20, low, 1, most),
+        area(20, 10, i32::MAX as u32 - 20, i32::MAX as u32 - 10),
         area(20, 10, most, most),
         area(i32::MAX, i32::MAX, most, most),
         area(low, low, 5, 5),
