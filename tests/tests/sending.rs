@@ -125,7 +125,7 @@ fn objects_share_bands() {
     }
 }
 
-/// A band starts as nothing but |band| band.clear_color(BACKGROUND), whether or not its memory held a picture.
+/// A band starts in its background, whether or not its memory held a picture.
 #[test]
 fn bands_begin_cleared() {
     let ball = ball();

@@ -177,7 +177,7 @@ impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B> {
 
     /// A frame in memory of just its size, which has been checked.
     #[inline(always)]
-    pub(super) fn part(color: &'a mut [C], depth: B, area: Rectangle) -> Self {
+    pub(super) const fn part(color: &'a mut [C], depth: B, area: Rectangle) -> Self {
         Self::in_rows(color, depth, area, area.size.width)
     }
 }
@@ -210,7 +210,7 @@ impl<'a, C: Copy, B: DepthBuffer> Frame<'a, C, B, Strided> {
 
 impl<'a, C: Copy, B: DepthBuffer, R: Rows> Frame<'a, C, B, R> {
     #[inline(always)]
-    fn in_rows(color: &'a mut [C], depth: B, area: Rectangle, stride: u32) -> Self {
+    const fn in_rows(color: &'a mut [C], depth: B, area: Rectangle, stride: u32) -> Self {
         let (corner, pitch) = (area.top_left, stride as i32);
         let origin = corner.y.wrapping_mul(pitch).wrapping_add(corner.x);
         Self { color, depth, area, layout: Layout { pitch, origin }, rows: PhantomData }

@@ -101,7 +101,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     /// Goes on with the span's next piece, behind the last pixel of this one. Returns its number of
     /// pixels.
     #[inline(always)]
-    pub(super) fn enter(&mut self, piece: Piece<V::Walk>) -> usize {
+    pub(super) const fn enter(&mut self, piece: Piece<V::Walk>) -> usize {
         (self.varyings, self.varyings_step) = (piece.first, piece.step);
         piece.pixels
     }

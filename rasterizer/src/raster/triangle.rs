@@ -182,7 +182,7 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Sorted<'_, S, D, V> {
     /// From the anchor, the pixel that holds the top corner, to the pixel at address 0 of the
     /// display's first row.
     #[inline(always)]
-    const fn to_first(&self, origin: i32) -> [i32; 2] {
+    const fn to_first(self, origin: i32) -> [i32; 2] {
         [origin - (self.top.x >> S::BITS), -(self.top.y >> S::BITS)]
     }
 
