@@ -134,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_fit_says_what_to_do() {
+    fn too_large_a_model_is_an_error_with_its_remedy() {
         let error = kept(&[[0.0; 3], [0.0, 32_768.0, 0.0]]).unwrap_err().to_string();
         assert!(error.contains("coordinate 32768") && error.contains("unit fit"), "{error}");
         assert!(kept(&[[-32_768.0; 3], [0.0, 32_767.999, 0.0]]).is_ok());

@@ -141,7 +141,8 @@ fn fill_words(words: &mut [u32], value: u32) {
     }
 }
 
-/// Sets all pixels, in a function of its own for what is done once a frame.
+/// Sets all pixels, once a frame or a band.
+// codegen: not inlined, because it is done rarely.
 #[inline(never)]
 pub(super) fn fill_all<C, F: Fill<C>>(fill: F, pixels: &mut [C]) {
     fill.run(pixels);

@@ -303,7 +303,7 @@ mod tests {
     /// Columns and rows of covered pixels with their depth and varyings.
     type Covered<D, V> = Vec<(i32, i32, D, V)>;
 
-    /// The pixels of a triangle, by spans whose addresses are laid out in rows of so many pixels.
+    /// The pixels of a triangle, by spans whose addresses follow `layout`.
     fn cover<S, D, V>(corners: [&ScreenVertex<S, D, V>; 3], layout: Layout) -> Covered<D, V::Sample>
     where
         S: Subpixel,

@@ -26,7 +26,8 @@ pub const fn bin_words(triangle_count: usize, viewport_rows: u32, band_rows: u32
 /// [`Projected::binned`] makes.
 #[derive(Clone, Copy, Debug)]
 pub struct Bins<'b> {
-    /// For each 32 triangles a word for each band; the most significant bit is the first triangle's.
+    /// For each 32 triangles a word for each band. The most significant bit is the first
+    /// triangle's.
     words: &'b [u32],
     bands: BandMap,
 }

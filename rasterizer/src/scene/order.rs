@@ -28,7 +28,8 @@ mod private {
         /// The part that may reach a window of the viewport.
         fn reach(&self, window: &Window, viewport: &Window) -> Self::Reach;
 
-        /// Visits the runs of triangles of one material, with the triangles' places in the sequence.
+        /// Visits the runs of triangles of one material, with the triangles' places in the
+        /// sequence.
         #[inline(always)]
         fn for_each_run<E>(
             &self,

@@ -20,8 +20,8 @@ use crate::{
     shade::{Face, OnScreen, Shader},
 };
 
-/// An object as the camera sees it; it can be drawn into any number of targets, such as the bands of
-/// a frame.
+/// An object as the camera sees it; it can be drawn into any number of targets, such as the bands
+/// of a frame.
 ///
 /// `V` is where its vertices come from: the storage that they were projected into, or [`OnDemand`].
 /// `O` is the order of its triangles.
@@ -135,9 +135,9 @@ where
         })
     }
 
-    /// The rectangle of the pixels that its triangles may touch, as far as they lie in the
-    /// viewport: a frame or bands of it and of the one before are all that has to be drawn and
-    /// sent anew.
+    /// The smallest rectangle that contains every pixel this object may touch, clipped to the
+    /// viewport. Only the union of this and the previous frame's bounds needs redrawing and
+    /// sending.
     #[must_use]
     pub fn bounds(&self) -> Option<Rectangle> {
         let (mut low, mut high) = ([i32::MAX; 2], [i32::MIN; 2]);

@@ -204,8 +204,8 @@ where
         beyond_all != 0
     }
 
-    /// Clips a triangle against the near plane, far plane and guard band, into `corners`, which must
-    /// be empty. (An out-parameter, because a returned polygon would be copied.)
+    /// Clips a triangle against the near plane, far plane and guard band, into `corners`, which
+    /// must be empty. (An out-parameter, because a returned polygon would be copied.)
     #[cold]
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {

@@ -35,7 +35,7 @@ const TRIANGLES: usize = 6000;
 const FRAMES: u32 = 8;
 const BAND_ROWS: u32 = 16;
 
-/// How a frame is drawn: in bands of so many rows.
+/// How a frame is drawn: in bands of `rows` rows, with bins if there are several.
 #[derive(Clone, Copy)]
 struct Mode {
     name: &'static str,
@@ -117,22 +117,24 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
         camera: &Camera,
     ) {
         let object = Object::new(mesh, shader);
-        for Mode { name: mode, rows } in MODES {
-            self.measure::<S4, D, _>(
-                [name, "S4", mode],
-                &object,
-                |cost, object, vertices, bins, memory| {
-                    cost.add(object, camera, rows, vertices, bins, memory);
-                },
-            );
-            self.measure::<S8, D, _>(
-                [name, "S8", mode],
-                &object,
-                |cost, object, vertices, bins, memory| {
-                    cost.add(object, camera, rows, vertices, bins, memory);
-                },
-            );
+        for mode in MODES {
+            self.scene_in::<S4, D, _>([name, "S4"], mode, &object, camera);
+            self.scene_in::<S8, D, _>([name, "S8"], mode, &object, camera);
         }
+    }
+
+    fn scene_in<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>>(
+        &mut self,
+        [name, precision]: [&str; 2],
+        Mode { name: mode, rows }: Mode,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+    ) {
+        let mode = [name, precision, mode];
+        self.measure::<S, D, _>(mode, object, |cost, object, vertices, bins, memory| {
+            let bins = (rows < SIZE.height).then_some(bins);
+            cost.add(object, camera, rows, vertices, bins, memory);
+        });
     }
 
     /// A scene with depth in bands, without the vertices or the bins or both, in both precisions.
@@ -157,15 +159,15 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
     ) {
         let mode = [name, precision, "bands of 16, vertices alone"];
         self.measure::<S, u16, _>(mode, object, |cost, object, vertices, _, memory| {
-            cost.add_by_vertices(object, camera, BAND_ROWS, vertices, memory);
+            cost.add(object, camera, BAND_ROWS, vertices, None, memory);
         });
         let mode = [name, precision, "bands of 16, bins alone"];
         self.measure::<S, u16, _>(mode, object, |cost, object, _, bins, memory| {
-            cost.add_by_bins::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, bins, memory);
+            cost.add_on_demand::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, Some(bins), memory);
         });
         let mode = [name, precision, "bands of 16, neither"];
         self.measure::<S, u16, _>(mode, object, |cost, object, _, _, memory| {
-            cost.add_by_nothing::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, memory);
+            cost.add_on_demand::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, None, memory);
         });
     }
 

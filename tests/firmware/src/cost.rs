@@ -12,7 +12,7 @@ use rasterizer::{
     geometry::ScreenVertex,
     numbers::Subpixel,
     output::{BandAreas, Frame, FrameDepth, Rgb565Be},
-    scene::{Object, Projected, Vertices},
+    scene::{Modes, Object, Order, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
 
@@ -76,117 +76,85 @@ impl Depth for NoDepth {
 }
 
 impl<const SET_UP: bool> Cost<SET_UP> {
-    /// Draws one frame more: as a whole if it has no more than `rows`, else in bands of so many,
-    /// with the triangles sorted into `bins`.
+    /// Adds a frame in bands of `rows` rows, the vertices in storage.
     pub fn add<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
         &mut self,
         object: &Object<'_, Sh>,
         camera: &Camera,
         rows: u32,
         vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
-        bins: &mut [u32],
+        bins: Option<&mut [u32]>,
+        memory: &mut Memory<PIXELS>,
+    ) {
+        let seen = timed(&mut self.vertices, || object.project(camera, vertices));
+        self.add_seen(seen.unwrap_or_else(fail), camera, rows, bins, memory);
+    }
+
+    /// Adds a frame in bands of `rows` rows, without storage for vertices.
+    pub fn add_on_demand<
+        S: Subpixel,
+        D: Depth,
+        Sh: Shader<Color = Rgb565Be>,
+        const PIXELS: usize,
+    >(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        rows: u32,
+        bins: Option<&mut [u32]>,
         memory: &mut Memory<PIXELS>,
     ) {
         let seen =
-            timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
+            timed(&mut self.vertices, || object.project_on_demand::<_, S, D>(camera, S::default()));
+        self.add_seen(seen.unwrap_or_else(fail), camera, rows, bins, memory);
+    }
+
+    /// Sorts the triangles into `bins`, if there are any, and draws the bands.
+    fn add_seen<V, Sh, const PIXELS: usize>(
+        &mut self,
+        seen: Projected<'_, V, Perspective, Sh>,
+        camera: &Camera,
+        rows: u32,
+        bins: Option<&mut [u32]>,
+        memory: &mut Memory<PIXELS>,
+    ) where
+        V: Vertices<OnScreen<Sh>, Depth: Depth>,
+        Sh: Shader<Color = Rgb565Be>,
+    {
         self.count(&seen);
-        let viewport = camera.viewport();
-        if rows < viewport.size.height {
-            let binned = timed(&mut self.draw, || seen.binned(rows, bins)).unwrap_or_else(fail);
-            for area in BandAreas::new(viewport, rows) {
-                self.add_area::<D, PIXELS>(
-                    memory,
-                    area,
-                    |frame| binned.draw(frame),
-                    |nothing| binned.draw(nothing),
-                );
+        let areas = BandAreas::new(camera.viewport(), rows);
+        match bins {
+            Some(bins) => {
+                let seen = timed(&mut self.draw, || seen.binned(rows, bins));
+                self.draw_bands(&seen.unwrap_or_else(fail), areas, memory);
             }
-        } else {
-            self.add_area::<D, PIXELS>(
-                memory,
-                viewport,
-                |frame| seen.draw(frame),
-                |nothing| seen.draw(nothing),
-            );
+            None => self.draw_bands(&seen, areas, memory),
         }
     }
 
-    /// Draws one frame more in bands, without bins: each band looks at all triangles.
-    pub fn add_by_vertices<
-        S: Subpixel,
-        D: Depth,
+    fn draw_bands<V, Sh, O: Order, const PIXELS: usize>(
+        &mut self,
+        seen: &Projected<'_, V, Perspective, Sh, Modes, O>,
+        areas: BandAreas,
+        memory: &mut Memory<PIXELS>,
+    ) where
+        V: Vertices<OnScreen<Sh>, Depth: Depth>,
         Sh: Shader<Color = Rgb565Be>,
-        const PIXELS: usize,
-    >(
-        &mut self,
-        object: &Object<'_, Sh>,
-        camera: &Camera,
-        rows: u32,
-        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
-        memory: &mut Memory<PIXELS>,
-    ) {
-        let seen =
-            timed(&mut self.vertices, || object.project(camera, vertices)).unwrap_or_else(fail);
-        self.count(&seen);
-        for area in BandAreas::new(camera.viewport(), rows) {
-            self.add_area::<D, PIXELS>(
-                memory,
-                area,
-                |frame| seen.draw(frame),
-                |nothing| seen.draw(nothing),
-            );
-        }
-    }
-
-    /// Draws one frame more in bands, without storage for vertices: those of the triangles in a
-    /// band are worked out there.
-    pub fn add_by_bins<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
-        &mut self,
-        object: &Object<'_, Sh>,
-        camera: &Camera,
-        rows: u32,
-        bins: &mut [u32],
-        memory: &mut Memory<PIXELS>,
-    ) {
-        let seen =
-            timed(&mut self.vertices, || object.project_on_demand::<_, S, D>(camera, S::default()))
-                .unwrap_or_else(fail);
-        self.count(&seen);
-        let binned = timed(&mut self.draw, || seen.binned(rows, bins)).unwrap_or_else(fail);
-        for area in BandAreas::new(camera.viewport(), rows) {
-            self.add_area::<D, PIXELS>(
-                memory,
-                area,
-                |frame| binned.draw(frame),
-                |nothing| binned.draw(nothing),
-            );
-        }
-    }
-
-    /// Draws one frame more in bands with neither: each band works all of the mesh out.
-    pub fn add_by_nothing<
-        S: Subpixel,
-        D: Depth,
-        Sh: Shader<Color = Rgb565Be>,
-        const PIXELS: usize,
-    >(
-        &mut self,
-        object: &Object<'_, Sh>,
-        camera: &Camera,
-        rows: u32,
-        memory: &mut Memory<PIXELS>,
-    ) {
-        let seen =
-            timed(&mut self.vertices, || object.project_on_demand::<_, S, D>(camera, S::default()))
-                .unwrap_or_else(fail);
-        self.count(&seen);
-        for area in BandAreas::new(camera.viewport(), rows) {
-            self.add_area::<D, PIXELS>(
-                memory,
-                area,
-                |frame| seen.draw(frame),
-                |nothing| seen.draw(nothing),
-            );
+    {
+        for area in areas {
+            if SET_UP {
+                let mut nothing = Nothing::new(&area);
+                let Ok(()) = timed(&mut self.draw, || seen.draw(&mut nothing));
+                continue;
+            }
+            let pixels = (area.size.width * area.size.height) as usize;
+            let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
+            color.fill(Rgb565Be::BLACK);
+            let mut frame = V::Depth::frame(color, depth, area);
+            timed(&mut self.clear, || frame.clear_depth());
+            let Ok(()) = timed(&mut self.draw, || seen.draw(&mut frame));
+            self.pixels_drawn +=
+                frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
         }
     }
 
@@ -204,29 +172,6 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         self.pixels_changed += both.map_or(0, |area| u64::from(area.size.width * area.size.height));
         self.last = bounds;
         self.frames += 1;
-    }
-
-    /// Draws an area by one of the two, the second one into nothing.
-    #[inline(always)]
-    fn add_area<D: Depth, const PIXELS: usize>(
-        &mut self,
-        memory: &mut Memory<PIXELS>,
-        area: Rectangle,
-        draw: impl FnOnce(&mut Frame<'_, Rgb565Be, D::Buffer<'_>>) -> Result<(), Infallible>,
-        set_up: impl FnOnce(&mut Nothing<D>) -> Result<(), Infallible>,
-    ) {
-        if SET_UP {
-            let Ok(()) = timed(&mut self.draw, || set_up(&mut Nothing::new(&area)));
-            return;
-        }
-        let pixels = (area.size.width * area.size.height) as usize;
-        let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
-        color.fill(Rgb565Be::BLACK);
-        let mut frame = D::frame(color, depth, area);
-        timed(&mut self.clear, || frame.clear_depth());
-        let Ok(()) = timed(&mut self.draw, || draw(&mut frame));
-        self.pixels_drawn +=
-            frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
     }
 }
 

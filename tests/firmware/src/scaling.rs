@@ -134,7 +134,7 @@ fn measure<'a, S: Subpixel>(
     let mut cost = Cost::default();
     for frame in 0..FRAMES {
         let rows = camera.viewport().size.height;
-        cost.add(&object(frame), camera, rows, &mut vertices, &mut [], memory);
+        cost.add(&object(frame), camera, rows, &mut vertices, None, memory);
     }
     cost
 }
