@@ -10,7 +10,7 @@ use crate::{
     attribute::{DepthFormat, Interpolate, Varyings},
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Subpixel, codegen, mul_high, saturate},
+    numbers::{Subpixel, mul_high, saturate},
 };
 
 /// A point in clip space.
@@ -144,8 +144,14 @@ impl<P: Projection> Transform<P> {
     /// Whether a box is certain to lie outside a picture of `size` pixels in width and height: all
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
-        let beyond = |index| self.beyond(cuboid.corner(index), size);
-        (0..codegen::unknown(8)).fold(0b11_1111, |bits, index| bits & beyond(index)) != 0
+        let mut beyond_all = 0b11_1111;
+        for index in 0..8 {
+            beyond_all &= self.beyond(cuboid.corner(index), size);
+            if beyond_all == 0 {
+                return false;
+            }
+        }
+        true
     }
 
     /// The planes of the picture beyond which a position lies: a bit for each of the six.

@@ -100,7 +100,7 @@ where
             let triangles = (&self.order, &reach, run);
             seen.for_each_visible(triangles, rows, &mut lookup, |index, corners, area| {
                 if surface.is_none() {
-                    seen.prepare(&material, &mut surface);
+                    seen.prepare(material, &mut surface);
                 }
                 // `prepare` has put it there.
                 let Some(surface) = &surface else { return Ok(()) };

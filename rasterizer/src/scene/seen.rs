@@ -91,8 +91,8 @@ impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     /// Builds a material's surface in place.
     // codegen: not inlined, so that its temporaries leave the stack before triangles are drawn.
     #[inline(never)]
-    pub(super) fn prepare(&self, material: &MeshMaterial<'_>, surface: &mut Option<Sh::Surface>) {
-        *surface = Some(self.shader.surface(material));
+    pub(super) fn prepare(&self, material: MeshMaterial<'_>, surface: &mut Option<Sh::Surface>) {
+        *surface = Some(self.shader.surface(&material));
     }
 }
 
