@@ -10,7 +10,7 @@ use crate::{
     attribute::{DepthFormat, Interpolate, Varyings},
     camera::Camera,
     mesh::{BoundingBox, Tables},
-    numbers::{Subpixel, mul_high, saturate},
+    numbers::{Subpixel, codegen, mul_high, saturate},
 };
 
 /// A point in clip space.
@@ -145,7 +145,7 @@ impl<P: Projection> Transform<P> {
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
         let mut beyond_all = 0b11_1111;
-        for index in 0..8 {
+        for index in 0..codegen::unknown(8) {
             beyond_all &= self.beyond(cuboid.corner(index), size);
             if beyond_all == 0 {
                 return false;
