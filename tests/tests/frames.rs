@@ -136,10 +136,10 @@ fn text_shapes_and_images_go_under_objects_and_over_them() {
     }
 }
 
-/// Whether a rectangle has a point. One that reaches beyond the range of `i32` has none.
+/// Whether a rectangle has a point, also if the rectangle reaches beyond the range of `i32`.
 fn holds(rectangle: &Rectangle, point: Point) -> bool {
     let is_in = |from: i32, length: u32, at: i32| {
-        from.checked_add_unsigned(length).is_some_and(|end| (from..end).contains(&at))
+        (0..i64::from(length)).contains(&(i64::from(at) - i64::from(from)))
     };
     let Rectangle { top_left, size } = rectangle;
     is_in(top_left.x, size.width, point.x) && is_in(top_left.y, size.height, point.y)
