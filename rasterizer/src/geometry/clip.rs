@@ -144,6 +144,7 @@ mod tests {
         geometry::Pose,
         mesh::Tables,
         numbers::{Rotation, Scale, Vec3},
+        random::Random,
     };
 
     fn transform() -> Transform<Perspective> {
@@ -176,11 +177,8 @@ mod tests {
         PLANES.iter().all(|plane| plane.distance(vertex, transform) >= 0)
     }
 
-    fn random(state: &mut u64) -> i16 {
-        *state ^= *state << 13;
-        *state ^= *state >> 7;
-        *state ^= *state << 17;
-        (*state >> 48) as i16
+    fn coordinate(random: &mut Random) -> i16 {
+        random.bits() as i16
     }
 
     #[test]
@@ -197,10 +195,11 @@ mod tests {
     #[test]
     fn corners_are_inside_all_planes_and_within_the_varyings_range() {
         let transform = transform();
-        let mut state = 99;
+        let mut random = Random::new(99);
         let mut largest = 0;
         for _ in 0..20_000 {
-            let triangle = [0; 3].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
+            let triangle =
+                [0; 3].map(|_| vertex(&transform, [0; 3].map(|_| coordinate(&mut random))));
             let polygon = polygon(triangle, &transform);
             largest = largest.max(polygon.len());
             let levels = triangle.map(|v| v.varyings[0]);
@@ -218,11 +217,11 @@ mod tests {
     #[test]
     fn a_shared_edge_is_cut_alike() {
         let transform = transform();
-        let mut state = 7;
+        let mut random = Random::new(7);
         let mut cut = 0;
         for _ in 0..20_000 {
             let [a, b, c, d] =
-                [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| random(&mut state))));
+                [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| coordinate(&mut random))));
             let left = polygon([a, b, c], &transform);
             let right = polygon([b, a, d], &transform);
             // The edge alone, as a degenerate triangle that runs there and back.

@@ -183,6 +183,7 @@ mod tests {
         camera::{Orthographic, Perspective},
         mesh::Positions,
         numbers::{Float, Rotation, S4, S8, Scale, Turn, Vec3},
+        random::Random,
     };
 
     const VIEWPORT: embedded_graphics_core::primitives::Rectangle =
@@ -200,11 +201,8 @@ mod tests {
         }
     }
 
-    fn random(state: &mut u64) -> i16 {
-        *state ^= *state << 13;
-        *state ^= *state >> 7;
-        *state ^= *state << 17;
-        (*state >> 48) as i16
+    fn coordinate(random: &mut Random) -> i16 {
+        random.bits() as i16
     }
 
     /// The pose and the camera of a case, and view-space coordinates of a position by their
@@ -216,12 +214,13 @@ mod tests {
     }
 
     impl Case {
-        fn random(state: &mut u64) -> Self {
-            let mut angle = || Turn::from_bits((random(state) as u32) << 16 | 0x1234);
+        fn random(random: &mut Random) -> Self {
+            let mut angle = || Turn::from_bits((coordinate(random) as u32) << 16 | 0x1234);
             let rotation = Rotation::about_x(angle()) * Rotation::about_y(angle());
             let turn = Rotation::about_z(angle()) * Rotation::about_y(angle());
-            let mut vector =
-                |shift: u32| Vec3::from_bits([0; 3].map(|_| i32::from(random(state)) << shift));
+            let mut vector = |shift: u32| {
+                Vec3::from_bits([0; 3].map(|_| i32::from(coordinate(random)) << shift))
+            };
             Self {
                 pose: Pose::rotated(turn).at(vector(3)).scaled(U16F16::lit("1.75")),
                 eye: vector(3),
@@ -249,12 +248,12 @@ mod tests {
     }
 
     fn check<P: Projection, S: Subpixel>(projection: P, project: impl Fn([f64; 3]) -> [f64; 3]) {
-        let mut state = 0x1234_5678_9ABC_DEF1;
+        let mut random = Random::new(0x1234_5678_9ABC_DEF1);
         let mut seen = 0;
         for _ in 0..300 {
-            let case = Case::random(&mut state);
+            let case = Case::random(&mut random);
             let positions: Vec<[i16; 3]> =
-                (0..20).map(|_| [0; 3].map(|_| random(&mut state))).collect();
+                (0..20).map(|_| [0; 3].map(|_| coordinate(&mut random))).collect();
             let camera = Camera::at(case.eye, case.rotation, projection, VIEWPORT).unwrap();
             let transform = Transform::new(&camera, &case.pose, &tables(&positions));
             let mut is_seen = false;
@@ -300,15 +299,15 @@ mod tests {
     /// Only the form differs, and the instructions that cores need for it.
     #[test]
     fn rows_in_parts_give_what_whole_rows_give() {
-        let mut state = 0x1234_5678_9ABC_DEF1;
+        let mut random = Random::new(0x1234_5678_9ABC_DEF1);
         for _ in 0..100_000 {
             let [x, y, z] =
-                [0; 3].map(|_| Float::new(i64::from(random(&mut state)) << 20 | 0x7_3C51, -9));
+                [0; 3].map(|_| Float::new(i64::from(coordinate(&mut random)) << 20 | 0x7_3C51, -9));
             let terms = Terms {
                 reaches: [x, y, z],
-                translation: Float::new(i64::from(random(&mut state)), 10),
+                translation: Float::new(i64::from(coordinate(&mut random)), 10),
             };
-            let p = [0; 3].map(|_| i32::from(random(&mut state)));
+            let p = [0; 3].map(|_| i32::from(coordinate(&mut random)));
             let whole = Row::<1>::new(&terms, 0).apply(p);
             let parts = Row::<2>::new(&terms, 0).apply(p);
             assert_eq!(whole, parts, "{terms:?} {p:?}");
@@ -386,16 +385,17 @@ mod tests {
     /// too.
     #[test]
     fn places_are_known_to_27_bits() {
-        let mut state = 0x1234_5678_9ABC_DEF1;
+        let mut random = Random::new(0x1234_5678_9ABC_DEF1);
         let bits = |v: [i32; 3], unit: i32| v.map(|c| f64::from(c) * 2f64.powi(unit));
         let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>();
         for _ in 0..20_000 {
-            let Case { mut pose, eye, rotation } = Case::random(&mut state);
+            let Case { mut pose, eye, rotation } = Case::random(&mut random);
             let mut tables = tables(&[]);
-            tables.offset = Vec3::from_bits([0; 3].map(|_| i32::from(random(&mut state)) << 8));
+            tables.offset =
+                Vec3::from_bits([0; 3].map(|_| i32::from(coordinate(&mut random)) << 8));
             let offset = bits(tables.offset.to_bits(), -16).map(|c| c * 1.75);
             let turned = pose.rotation.rows().map(|row| dot(row.map(|c| c.to_num()), offset));
-            if random(&mut state) > 0 {
+            if coordinate(&mut random) > 0 {
                 pose.translation = Vec3::from_bits(turned.map(|c| -(c * 65536.0) as i32));
             }
             let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();

@@ -160,7 +160,10 @@ const fn scaled<S: Subpixel>(below: i32, remainder: i32, dy: i32) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numbers::{S4, S8};
+    use crate::{
+        numbers::{S4, S8},
+        random::Random,
+    };
 
     /// The boundary by its definition.
     fn boundary(top: [i32; 2], bottom: [i32; 2], row: i32, bits: u32) -> i32 {
@@ -207,13 +210,8 @@ mod tests {
 
     #[test]
     fn walked_and_jumped_boundaries_equal_the_definition() {
-        let mut random: u64 = 0x9E37_79B9_7F4A_7C15;
-        let mut next = |limit: i32| {
-            random ^= random << 13;
-            random ^= random >> 7;
-            random ^= random << 17;
-            (random % (2 * limit as u64 + 1)) as i32 - limit
-        };
+        let mut random = Random::new(1);
+        let mut next = |limit: i32| random.within(-limit, limit);
         for bits in [4, 8] {
             let guard = 1 << (10 + bits);
             for extent in [3, 1 << bits, 20 << bits, guard] {

@@ -298,6 +298,7 @@ mod tests {
     use crate::{
         attribute::Step as _,
         numbers::{S4, S8},
+        random::Random,
     };
 
     /// Columns and rows of covered pixels with their depth and varyings.
@@ -401,21 +402,16 @@ mod tests {
         assert_eq!(covered.next(), None, "{corners:?}: a pixel too many");
     }
 
-    fn random(state: &mut u64, limit: i32) -> i32 {
-        *state ^= *state << 13;
-        *state ^= *state >> 7;
-        *state ^= *state << 17;
-        (*state % (2 * limit as u64 + 1)) as i32 - limit
-    }
-
-    fn random_triangles<S: Subpixel>(count: usize, mut state: u64) {
+    fn random_triangles<S: Subpixel>(count: usize, seed: u64) {
+        let mut random = Random::new(seed);
+        let mut within = |limit: i32| random.within(-limit, limit);
         let unit = 1 << S::BITS;
         for extent in [2, unit, 5 * unit, 60 * unit, 400 * unit, 1000 * unit] {
             let room = (1000 * unit - extent).min(200 * unit);
             for _ in 0..count {
-                let middle = [random(&mut state, room), random(&mut state, room)];
-                let corners = [0; 3].map(|_| middle.map(|c| c + random(&mut state, extent)));
-                let values = [0; 3].map(|_| (random(&mut state, 32_767) + 32_768) as u16);
+                let middle = [within(room), within(room)];
+                let corners = [0; 3].map(|_| middle.map(|c| c + within(extent)));
+                let values = [0; 3].map(|_| (within(32_767) + 32_768) as u16);
                 check::<S>(corners, values);
             }
         }
