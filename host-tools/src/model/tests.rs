@@ -6,6 +6,7 @@ use super::{
     vector::{angle, cross, dot},
     *,
 };
+use crate::reference::random::Random;
 
 mod shipped;
 
@@ -107,14 +108,8 @@ fn no_bytes_make_it_panic_or_hang() {
     ];
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("m.obj");
-    // Marsaglia's xorshift: the same files on every run.
-    let mut state = 0x9E37_79B9_7F4A_7C15_u64;
-    let mut random = |below: usize| {
-        state ^= state << 13;
-        state ^= state >> 7;
-        state ^= state << 17;
-        (state % below as u64) as usize
-    };
+    let mut generator = Random(1);
+    let mut random = |below: usize| generator.snapped(0.0, (below - 1) as f64, 1.0) as usize;
     let (mut good, mut bad) = (0, 0);
     for round in 0..3_000 {
         let (text, options) = [(CUBE, Options::default()), (SEAM, textured())][round % 2].clone();

@@ -52,7 +52,7 @@ mod light;
 mod mesh;
 mod picture;
 #[cfg(test)]
-mod random;
+pub(crate) mod random;
 #[cfg(test)]
 mod ray;
 mod sample;

@@ -1,8 +1,9 @@
-//! Reproducible random numbers for the tests: `SplitMix64` (Steele, Lea and Flood, OOPSLA 2014).
+//! Random numbers that are the same on every host, for the tests: `SplitMix64` (Steele, Lea and
+//! Flood, OOPSLA 2014).
 
 /// A generator with 64 bits of state; equal seeds give equal sequences on every host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Random(pub u64);
+pub(crate) struct Random(pub u64);
 
 impl Random {
     fn next(&mut self) -> u64 {
@@ -13,13 +14,13 @@ impl Random {
     }
 
     /// A real number, uniform in `low..high`.
-    pub(super) fn real(&mut self, low: f64, high: f64) -> f64 {
+    pub(crate) fn real(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.next() >> 11) as f64 / (1_u64 << 53) as f64)
     }
 
     /// A multiple of `step` in `low..=high`, both of them multiples of `step`, exact when `step` is
     /// a power of two; any real number for the step 0.
-    pub(super) fn snapped(&mut self, low: f64, high: f64, step: f64) -> f64 {
+    pub(crate) fn snapped(&mut self, low: f64, high: f64, step: f64) -> f64 {
         if step == 0.0 {
             return self.real(low, high);
         }
