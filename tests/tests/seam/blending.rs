@@ -1,4 +1,4 @@
-//! Blended pixels: those of a function of the stored colour and the new one, and the depth is stored.
+//! Blended pixels: those of a function of the stored colour and the new one; their depth is stored.
 
 use super::*;
 
