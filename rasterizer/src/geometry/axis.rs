@@ -4,7 +4,7 @@ use super::Pose;
 use crate::{
     camera::Camera,
     mesh::Mesh,
-    numbers::{Float, Vec3, codegen::keep_rolled, mul_q60, mul_wide_q30, shifted},
+    numbers::{Coordinate, Float, Vec3, codegen::keep_rolled, mul_q60, mul_wide_q30, shifted},
 };
 
 /// One of the camera's axes, and how far along it the object is.
@@ -88,9 +88,9 @@ pub(super) fn is_offset_in_range(pose: &Pose, offset: Vec3) -> bool {
 /// same matrix.
 ///
 /// The entries of a matrix are rounded, and what that moves a point by grows with the distance from
-/// where the matrix is exact: from the *anchor*. Coordinates without a fraction have it at the
-/// mesh's own origin. Coordinates with a fraction have it at the point of the mesh's grid that is
-/// nearest to the eye: no vertex is nearer, so that a vertex is off by no more than a fixed part of
+/// where the matrix is exact: from the *anchor*, which is the mesh's own origin. For an object that
+/// is large compared with how near it comes it moves to the point of the mesh's grid that is
+/// nearest to the eye. No vertex is nearer, so that a vertex is off by no more than a fixed part of
 /// its distance from the eye, however large the object is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
@@ -113,19 +113,20 @@ const QUANTUM_BITS: i32 = 15;
 
 impl Grid {
     /// With its anchor at the mesh's origin.
-    pub(super) fn new(pose: &Pose, mesh: &Mesh<'_>) -> Self {
+    pub(super) fn new<C: Coordinate>(pose: &Pose, mesh: &Mesh<'_>) -> Self {
         let scale = mesh.tables().scale;
         // Exact, so that only the product of both scales matters. Halved, so that it fits.
         let product = u64::from(pose.scale.to_bits()) * u64::from(scale.mantissa());
         let length = (product >> 1) as i64;
         let exponent = scale.exponent() - 15 - mesh.spare_bits().cast_signed();
         let quantum = Float::new(length, exponent);
-        Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15, bias: 1 << 14 }
+        let bias = if C::HAS_FRACTION { 0 } else { 1 << 14 };
+        Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15, bias }
     }
 
-    /// A length that no vertex is nearer to the eye than, or that is 4 times the half width of the
-    /// mesh's box: the larger of both, in world units. Call it once the anchor is near the eye.
-    pub(super) fn nearest(&self, axes: [&Axis; 3]) -> Float {
+    /// The least distance from the eye of a vertex, or 4 times the half width of the mesh's box: the
+    /// larger of both, in world units. Call it once the anchor is near the eye.
+    pub(super) fn distance(&self, axes: [&Axis; 3]) -> Float {
         let mut reach = self.quantum;
         reach.exponent += 15 + 2;
         let way = axes.map(|axis| axis.way.wrapping_abs());
@@ -140,14 +141,12 @@ impl Grid {
         if self.quantum.magnitude() > 1 {
             return false;
         }
-        self.bias = 0;
         if self.length == 0 {
             // All of it is at one point.
             return true;
         }
         let quantum = shifted(self.length, self.exponent + FRACTION_BITS + QUANTUM_BITS);
         let (upper, lower) = (quantum >> QUANTUM_BITS, quantum & ((1 << QUANTUM_BITS) - 1));
-        let per_quantum = self.quantum.reciprocal();
         let mut anchor = [0; 3];
         for (column, anchor) in anchor.iter_mut().enumerate() {
             keep_rolled();
@@ -158,7 +157,7 @@ impl Grid {
                 let part = mul_wide_q30(axis.way, (axis.direction[column] >> 30) as i32);
                 to_eye = to_eye.wrapping_sub(part);
             }
-            let quanta = Float::new(to_eye, -FRACTION_BITS).times(per_quantum).in_units_of(0);
+            let quanta = Float::new(to_eye, -FRACTION_BITS).over(self.quantum).in_units_of(0);
             let [min, max] = [mesh.bounds().min, mesh.bounds().max]
                 .map(|c| i32::from(c[column]) << mesh.spare_bits());
             *anchor = quanta.clamp(min, max);

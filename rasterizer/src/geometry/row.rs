@@ -2,7 +2,10 @@
 //! vertex.
 
 use super::axis::{Axis, Grid};
-use crate::numbers::{Coordinate, IS_NARROW, codegen::keep_rolled, mul_wide_q30, shifted};
+use crate::{
+    mesh::Mesh,
+    numbers::{Coordinate, IS_NARROW, codegen::keep_rolled, mul_wide_q30, shifted},
+};
 
 /// One coordinate of clip space as a function of an object's position in normalised quanta: a row
 /// of the 3 x 4 matrix.
@@ -58,21 +61,24 @@ impl<const PARTS: usize> Row<PARTS> {
         row
     }
 
-    /// A bound of the least coordinate of all positions.
+    /// The least coordinate of all positions in the mesh's bounds, or the greatest.
     #[inline(never)]
-    pub(super) fn least(&self) -> i32 {
-        let mut least = self.translation.0;
+    pub(super) fn end(&self, mesh: &Mesh<'_>, is_greatest: bool) -> i32 {
+        let mut sum = self.translation.0;
         for column in 0..3 {
             keep_rolled();
-            // 2^15 quanta of 2^-15 units are as many units.
-            let reach = match self.entries.as_slice() {
+            let entry = match self.entries.as_slice() {
                 [whole] => whole[column] >> (16 - FRACTION_BITS),
                 [high, low] => (high[column] << FRACTION_BITS) + low[column],
                 _ => 0,
             };
-            least = least.wrapping_sub(reach.abs());
+            let bounds = mesh.bounds();
+            let end = if (entry < 0) == is_greatest { bounds.min } else { bounds.max };
+            let end = i32::from(end[column]) << mesh.spare_bits();
+            let product = i64::from(entry) * i64::from(end);
+            sum = sum.wrapping_add((product >> FRACTION_BITS) as i32);
         }
-        least
+        sum
     }
 
     /// By how many bits [`apply`](Self::apply) wants positions shifted up.
