@@ -50,7 +50,7 @@ impl Axis {
 
     /// The coordinate of the anchor in clip space.
     #[inline(never)]
-    pub(super) fn origin(&self) -> Float {
+    pub(super) const fn origin(&self) -> Float {
         Float::new(self.way, -FRACTION_BITS).times(self.magnification)
     }
 
@@ -70,7 +70,7 @@ impl Axis {
 
     /// Moves the anchor by a length along an axis of the object.
     #[inline(never)]
-    fn advance(&mut self, column: usize, length: i64) {
+    const fn advance(&mut self, column: usize, length: i64) {
         self.way = self.way.wrapping_add(mul_q60(length, self.direction[column]));
     }
 }

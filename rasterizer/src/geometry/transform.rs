@@ -134,7 +134,7 @@ impl<P: Projection> Transform<P> {
 
     /// Checks that the object fits the projection's number range. Call this first: no other method
     /// is valid until it succeeds.
-    pub(crate) fn check(&self) -> Result<(), PoseError> {
+    pub(crate) const fn check(&self) -> Result<(), PoseError> {
         if self.is_exact { Ok(()) } else { Err(PoseError) }
     }
 
