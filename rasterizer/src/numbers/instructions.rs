@@ -8,8 +8,9 @@ use super::software;
 
 /// Whether the core has none of these instructions. Among ARM targets these are the ones without
 /// atomic read-modify-write instructions (`ARMv6-M`, `ARMv4T`), which a stable compiler can test
-/// for.
-pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+/// for. With `--cfg rasterizer_narrow` the host computes like these, for tests.
+pub(crate) const IS_NARROW: bool =
+    cfg!(any(all(target_arch = "arm", not(target_has_atomic = "32")), rasterizer_narrow));
 
 /// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension.
 /// The baseline of `ARMv8-M` counts as one of them, because it has atomic instructions too; the
