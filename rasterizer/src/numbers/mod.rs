@@ -29,7 +29,7 @@ pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use instructions::{
     HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high,
-    mul_high_unsigned, mul_q30, normalised, saturate,
+    mul_high_unsigned, mul_q30, normalised, normalised_from_few, saturate,
 };
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;
