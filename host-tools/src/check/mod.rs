@@ -13,6 +13,7 @@
 //! shader, against a definition of that shader.
 
 mod compare;
+mod depth;
 mod fixed;
 mod object;
 mod shading;
@@ -21,9 +22,10 @@ mod view;
 use std::time::{Duration, Instant};
 
 pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome};
+pub use depth::{DefinedDepth, DepthFormat};
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use shading::Shading;
-pub use view::{DepthFormat, Projection, Subpixel, View, ViewError};
+pub use view::{Projection, Subpixel, View, ViewError};
 
 use crate::{model::Model, reference};
 
@@ -51,7 +53,7 @@ impl Checked {
     /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn arithmetic_difference(&self, x: usize, y: usize) -> Difference {
-        compare::difference(&self.fixed, [x, y], self.depth.max(), &self.arithmetic, 1.0)
+        compare::difference(&self.fixed, [x, y], self.depth.definition(), &self.arithmetic)
     }
 
     /// How the pixel differs from the reference from the OBJ file's numbers.
@@ -61,8 +63,7 @@ impl Checked {
     /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn end_to_end_difference(&self, x: usize, y: usize) -> Difference {
-        let max = self.depth.max();
-        compare::difference(&self.fixed, [x, y], max, &self.end_to_end, max)
+        compare::difference(&self.fixed, [x, y], self.depth.definition(), &self.end_to_end)
     }
 }
 
@@ -77,9 +78,9 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
     let (arithmetic, arithmetic_time) = timed(drawn.arithmetic);
     let (end_to_end, end_to_end_time) = timed(drawn.end_to_end);
 
-    let (fixed, depth_max) = (drawn.picture, view.depth.max());
-    let comparison = |reference, unit, points: &[[f64; 3]], camera, time| Comparison {
-        deviation: compare::compare(&fixed, reference, depth_max, unit),
+    let (fixed, depth) = (drawn.picture, view.depth.definition());
+    let comparison = |reference, points: &[[f64; 3]], camera, time| Comparison {
+        deviation: compare::compare(&fixed, reference, depth),
         vertex_error_max_px: compare::vertex_error(&drawn.vertices, points, &camera),
         fixed_ms: milliseconds(drawn.time),
         reference_ms: milliseconds(time),
@@ -89,8 +90,8 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
     let exact = view.pose_points(&model.exact.positions);
     let (rounded, unrounded) = (rounded.reference_camera(), view.reference_camera());
     let outcome = Outcome {
-        arithmetic: comparison(&arithmetic, 1.0, &quantised, rounded, arithmetic_time),
-        end_to_end: comparison(&end_to_end, depth_max, &exact, unrounded, end_to_end_time),
+        arithmetic: comparison(&arithmetic, &quantised, rounded, arithmetic_time),
+        end_to_end: comparison(&end_to_end, &exact, unrounded, end_to_end_time),
     };
     Ok(Checked { outcome, fixed, arithmetic, end_to_end, depth: view.depth })
 }

@@ -41,12 +41,14 @@
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
+//! | stored depth | `depth.rs` | IEEE 754, without a sign |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
 mod camera;
 mod clip;
 mod coverage;
+mod depth;
 mod interpolate;
 mod light;
 mod mesh;
@@ -60,6 +62,7 @@ mod scene;
 mod screen;
 
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
+pub use depth::DepthFormat;
 pub use light::Light;
 pub use mesh::{Corner, Culling, Mesh};
 pub use picture::{Fragment, Picture};
