@@ -172,8 +172,7 @@ impl Placement {
         }
     }
 
-    /// The part of a piece within [`BESIDE`] pixels of the picture, or all of it if that part might
-    /// be another after rounding to quanta.
+    /// The part of a piece within 64 pixels of the picture, or all of it if there is none.
     fn beside_picture(&self, ends: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
         const BESIDE: f64 = 64.0;
         let viewport = self.camera.viewport;
