@@ -64,13 +64,14 @@ fn judge(model: &Model, view: &View) -> usize {
         }
     };
     assert!(
-        outcome.is_within(&Bounds::ARITHMETIC),
+        outcome.arithmetic.is_within(&Bounds::ARITHMETIC),
         "{}: {:#?}\n{view:#?}",
         model.name,
         outcome.arithmetic
     );
     // Snapping moves a vertex by up to half a sub-pixel, the transform by up to another eighth.
-    let error = outcome.arithmetic.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
+    let error =
+        outcome.arithmetic.vertices.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
     assert!(error <= 0.625, "{}: a vertex is {error} sub-pixels off\n{view:#?}", model.name);
     outcome.arithmetic.deviation.pixels
 }

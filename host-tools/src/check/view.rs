@@ -14,7 +14,7 @@ use rasterizer::{
 };
 
 use super::{DepthFormat, Shading};
-use crate::{model::Model, reference};
+use crate::reference;
 
 /// How finely vertices are placed on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -252,6 +252,13 @@ impl View {
         }
     }
 
+    /// Points of the model in world space, by the rotation that the core is given.
+    pub(super) fn core_pose_points(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let rows = self.pose().rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
+        let turn = |p: &[f64; 3]| rows.map(|row| (0..3).map(|i| row[i] * p[i]).sum());
+        points.iter().map(turn).collect()
+    }
+
     /// Points of the model in world space.
     pub(super) fn pose_points(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let angles = [self.yaw_degrees, self.pitch_degrees, self.roll_degrees].map(f64::to_radians);
@@ -262,14 +269,6 @@ impl View {
             [cr * x - sr * y, cr * y + sr * x, z]
         };
         points.iter().map(turn).collect()
-    }
-
-    /// The model in world space, from the OBJ file's own numbers.
-    pub(super) fn reference_mesh(&self, model: &Model) -> reference::Mesh {
-        reference::Mesh {
-            positions: self.pose_points(&model.exact.positions),
-            triangles: (0..).map_while(|i| model.triangles.as_triangles().get(i)).collect(),
-        }
     }
 }
 

@@ -12,6 +12,7 @@
 
 pub mod emit;
 mod error;
+mod faces;
 mod fit;
 mod mtl;
 mod normals;
@@ -39,6 +40,7 @@ use rasterizer::{
 };
 
 pub use error::{LineFault, ModelError};
+pub use faces::{Face, Faces};
 pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
 
@@ -186,6 +188,8 @@ pub struct Exact {
     pub face_normals: Vec<[f64; 3]>,
     /// Texture coordinates in repeats of the texture, v running down, none of them negative.
     pub texture_coordinates: Vec<[f64; 2]>,
+    /// The faces of the file, not yet cut into triangles.
+    pub faces: Faces,
 }
 
 /// A file that a model is made from.
@@ -253,12 +257,16 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let shape = at(&shape);
+        let (shape, whole) = (at(&shape), shape);
         let fitted = fit::fit(path, &at(&polygons.positions), &shape, options.fit)?;
+        let lines = &checked.face_lines;
+        let faces = Faces::new(&polygons, &whole, &fitted, lines, &tables.welded.positions);
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
-        let exact =
-            exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?;
+        let exact = Exact {
+            faces,
+            ..exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?
+        };
         let (texture_coordinates, texture_fraction_bits) =
             quantize::textures(path, &exact.texture_coordinates)?;
         if texture_fraction_bits < 8 {
@@ -450,5 +458,6 @@ fn exact(
         } else {
             Vec::new()
         },
+        ..Exact::default()
     })
 }

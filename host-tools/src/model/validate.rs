@@ -30,6 +30,8 @@ pub(super) struct Checked {
     pub vertices: usize,
     /// The number of faces.
     pub faces: usize,
+    /// The line of each face.
+    pub face_lines: Vec<usize>,
     /// The number of face corners.
     pub corners: usize,
     /// How many of the corners have texture coordinates.
@@ -80,6 +82,7 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
                 }
                 faces.push('\n');
                 checked.faces += 1;
+                checked.face_lines.push(statement.line);
             }
             "mtllib" => checked.libraries.push((statement.line, statement.name().into())),
             "usemtl" if statement.name().is_empty() => checked.warnings.push(format!(

@@ -32,6 +32,16 @@ impl DepthFormat {
             - 1.0
     }
 
+    /// The largest difference of the depths that neighbouring stored numbers stand for.
+    #[must_use]
+    pub fn largest_unit(self) -> f64 {
+        0.5f64.powi(match self {
+            Self::Fixed { bits } => bits,
+            // Just below 1.
+            Self::Float { mantissa_bits, .. } => mantissa_bits + 1,
+        } as i32)
+    }
+
     /// The place of a depth from 0 to 1 between the numbers that stand for its neighbours.
     #[must_use]
     pub fn units(self, depth: f64) -> f64 {
