@@ -10,6 +10,8 @@
 //! file. It ignores points, lines, curves, smoothing groups, vertex colours and the names of
 //! textures.
 
+mod cap;
+mod ears;
 pub mod emit;
 mod error;
 mod fit;
@@ -19,6 +21,7 @@ mod order;
 mod polygons;
 mod quantize;
 mod report;
+mod slivers;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -245,7 +248,11 @@ impl Model {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
         let materials = sort_by_material(&mut corners, &polygons.colors);
-        let normals = normals::corner_normals(&corners, &shape, degrees.to_radians());
+        let normals = if options.contents.vertex_normals {
+            normals::corner_normals(&corners, &shape, degrees.to_radians())
+        } else {
+            Vec::new()
+        };
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 

@@ -8,6 +8,8 @@ use super::{
 };
 use crate::reference::random::Random;
 
+mod cutting;
+mod large;
 mod shipped;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
