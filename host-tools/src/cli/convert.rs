@@ -60,6 +60,9 @@ pub(super) struct Arguments {
         allow_negative_numbers = true
     )]
     crease: f64,
+    /// Turn over faces that run against their neighbours, and closed parts that are inside out
+    #[arg(long)]
+    fix_winding: bool,
     /// Which normals: vertex for Gouraud shading, face for flat shading
     #[arg(long, value_name = "WHICH", default_value = "both")]
     normals: Normals,
@@ -87,6 +90,7 @@ impl Arguments {
         Options {
             fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
             crease_degrees: self.crease,
+            fix_winding: self.fix_winding,
             contents: Contents {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
                 face_normals: matches!(self.normals, Normals::Face | Normals::Both),

@@ -29,6 +29,7 @@ mod triangulate;
 mod validate;
 mod vector;
 mod weld;
+mod winding;
 mod write;
 
 use std::{
@@ -57,6 +58,9 @@ pub struct Options {
     /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
     /// across their edge.
     pub crease_degrees: f64,
+    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
+    /// turned over. Without it they are only told.
+    pub fix_winding: bool,
     /// Which tables to make.
     pub contents: Contents,
     /// The name of the static; `None` for that of the file.
@@ -64,11 +68,13 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Unit fit, a crease angle of 60 degrees, the default contents, the name of the file.
+    /// Unit fit, a crease angle of 60 degrees, winding as it is, the default contents, the name of
+    /// the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
+            fix_winding: false,
             contents: Contents::default(),
             name: None,
         }
@@ -245,13 +251,18 @@ impl Model {
         }
         let mut checked = validate::check(path, &source::statements(source::text(path, bytes)?))?;
         let mut libraries = mtl::load(path, &checked);
-        let polygons = polygons::read(path, &checked, &libraries)?;
+        let mut polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 
         let shape = fit::to_common_size(&polygons.positions);
         if fit::has_no_size(&shape) {
             return Err(ModelError::NoSize { path: path.into() });
         }
+        let winding = winding::judge(&polygons, &shape);
+        if options.fix_winding {
+            winding.mend(&mut polygons, &shape);
+        }
+        checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
@@ -316,6 +327,7 @@ impl Model {
                 file_faces: checked.faces,
                 triangles: tables.welded.triangles.len(),
                 dropped_triangles,
+                turned_faces: if options.fix_winding { winding.turned() } else { 0 },
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()
