@@ -126,6 +126,9 @@ pub(super) struct ViewOptions {
         allow_negative_numbers = true
     )]
     crease: f64,
+    /// Turn over faces that run against their neighbours, and closed parts that are inside out
+    #[arg(long)]
+    fix_winding: bool,
     /// Frames of a full turn about y, 1 to 360
     #[arg(
         long,
@@ -160,7 +163,7 @@ impl ViewOptions {
 
     /// The conversion of the model for it.
     pub(super) fn conversion(&self) -> Options {
-        Options { crease_degrees: self.crease, ..Options::default() }
+        Options { crease_degrees: self.crease, fix_winding: self.fix_winding, ..Options::default() }
     }
 }
 

@@ -54,8 +54,12 @@ fn options(options: &Options) -> String {
     .filter_map(|(kept, name)| kept.then_some(name))
     .collect();
     let tables = if tables.is_empty() { "none".to_owned() } else { tables.join(", ") };
+    let winding = if options.fix_winding { "winding mended, " } else { "" };
     let fit = options.fit;
-    format!("{fit}, a crease angle of {} degrees, contents: {tables}", options.crease_degrees)
+    format!(
+        "{fit}, a crease angle of {} degrees, {winding}contents: {tables}",
+        options.crease_degrees
+    )
 }
 
 fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {

@@ -150,7 +150,7 @@ pub enum ModelError {
         source: tobj::LoadError,
     },
     /// The result cannot be written.
-    #[error("{path} cannot be written: {source}: check that its directory exists and is writable")]
+    #[error("{path} cannot be written: {source}: {}", remedy(source))]
     Write {
         /// The file.
         path: PathBuf,
@@ -162,6 +162,17 @@ pub enum ModelError {
         "OUT_DIR is not set: call this from a build script (build.rs), for which Cargo sets it"
     )]
     NoOutDir,
+}
+
+/// What to do about a file that cannot be written.
+fn remedy(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "make room on the disk, or write to another"
+        }
+        io::ErrorKind::InvalidFilename => "choose another name",
+        _ => "check that its directory exists and is writable",
+    }
 }
 
 /// What is wrong with a line.

@@ -10,6 +10,8 @@
 //! file. It ignores points, lines, curves, smoothing groups, vertex colours and the names of
 //! textures.
 
+mod cap;
+mod ears;
 pub mod emit;
 mod error;
 mod faces;
@@ -20,6 +22,7 @@ mod order;
 mod polygons;
 mod quantize;
 mod report;
+mod slivers;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -27,6 +30,7 @@ mod triangulate;
 mod validate;
 mod vector;
 mod weld;
+mod winding;
 mod write;
 
 use std::{
@@ -56,6 +60,9 @@ pub struct Options {
     /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
     /// across their edge.
     pub crease_degrees: f64,
+    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
+    /// turned over. Without it they are only told.
+    pub fix_winding: bool,
     /// Which tables to make.
     pub contents: Contents,
     /// The name of the static; `None` for that of the file.
@@ -63,11 +70,13 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Unit fit, a crease angle of 60 degrees, the default contents, the name of the file.
+    /// Unit fit, a crease angle of 60 degrees, winding as it is, the default contents, the name of
+    /// the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
+            fix_winding: false,
             contents: Contents::default(),
             name: None,
         }
@@ -227,29 +236,47 @@ impl Model {
     /// of material libraries are only [warnings](Self::warnings).
     pub fn load(path: impl AsRef<Path>, options: &Options) -> Result<Self, ModelError> {
         let path = path.as_ref();
+        Self::from_bytes(path, &source::read(path)?, options)
+    }
+
+    /// Converts the contents of an OBJ file. Its material libraries lie beside `path`, which names
+    /// it in messages.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`Self::load`], except those of reading the file.
+    pub fn from_bytes(path: &Path, bytes: &[u8], options: &Options) -> Result<Self, ModelError> {
         let degrees = options.crease_degrees;
         if !(0.0..=180.0).contains(&degrees) {
             return Err(ModelError::Crease { degrees });
         }
-        let bytes = source::read(path)?;
         if bytes.is_empty() {
             return Err(ModelError::Empty { path: path.into() });
         }
-        let mut checked = validate::check(path, &source::statements(source::text(path, &bytes)?))?;
+        let mut checked = validate::check(path, &source::statements(source::text(path, bytes)?))?;
         let mut libraries = mtl::load(path, &checked);
-        let polygons = polygons::read(path, &checked, &libraries)?;
+        let mut polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 
         let shape = fit::to_common_size(&polygons.positions);
         if fit::has_no_size(&shape) {
             return Err(ModelError::NoSize { path: path.into() });
         }
+        let winding = winding::judge(&polygons, &shape);
+        if options.fix_winding {
+            winding.mend(&mut polygons, &shape);
+        }
+        checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
         let materials = sort_by_material(&mut corners, &polygons.colors);
-        let normals = normals::corner_normals(&corners, &shape, degrees.to_radians());
+        let normals = if options.contents.vertex_normals {
+            normals::corner_normals(&corners, &shape, degrees.to_radians())
+        } else {
+            Vec::new()
+        };
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
@@ -291,7 +318,7 @@ impl Model {
         let mut model = Self {
             name: emit::static_name(options.name.as_deref().unwrap_or(&stem)),
             options: options.clone(),
-            provenance: [vec![Provenance::of(path, &bytes)], libraries.files].concat(),
+            provenance: [vec![Provenance::of(path, bytes)], libraries.files].concat(),
             inputs: [vec![path.into()], libraries.paths].concat(),
             vertex_normals: exact.vertex_normals.iter().map(|&n| quantize::normal(n)).collect(),
             face_normals: exact.face_normals.iter().map(|&n| quantize::normal(n)).collect(),
@@ -308,6 +335,7 @@ impl Model {
                 file_faces: checked.faces,
                 triangles: tables.welded.triangles.len(),
                 dropped_triangles,
+                turned_faces: if options.fix_winding { winding.turned() } else { 0 },
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()

@@ -8,7 +8,10 @@ use super::{
 };
 use crate::reference::random::Random;
 
+mod cutting;
+mod large;
 mod shipped;
+mod winding;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
 const CUBE: &str = "mtllib cube.mtl\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n\
