@@ -127,7 +127,7 @@ fn json(arguments: &Arguments, path: &Path, model: &Model) -> Result<String> {
         flash_total: report.flash.total(),
         warnings: &model.warnings,
     };
-    Ok(serde_json::to_string_pretty(&object)? + "\n")
+    output::json(&object)
 }
 
 /// Loads a model and prints its warnings.

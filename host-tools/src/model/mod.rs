@@ -7,17 +7,22 @@
 //! values before rounding.
 //!
 //! The converter reads positions, normals, texture coordinates, faces and diffuse colours of an OBJ
-//! file. It ignores points, lines, curves, smoothing groups, vertex colours and the names of
-//! textures.
+//! file. It ignores smoothing groups. What else a file shows and the tables cannot hold, such as
+//! lines, curves, vertex colours, textures and transparency, it leaves out with a warning for each
+//! kind.
 
 pub mod emit;
 mod error;
 mod fit;
+mod ignored;
+mod libraries;
+mod library_path;
 mod mtl;
 mod normals;
 mod order;
 mod polygons;
 mod quantize;
+mod quote;
 mod report;
 mod source;
 #[cfg(test)]
@@ -25,6 +30,7 @@ mod tests;
 mod triangulate;
 mod validate;
 mod vector;
+mod warnings;
 mod weld;
 mod write;
 
@@ -39,6 +45,7 @@ use rasterizer::{
 };
 
 pub use error::{LineFault, ModelError};
+pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
 
@@ -231,8 +238,9 @@ impl Model {
         if bytes.is_empty() {
             return Err(ModelError::Empty { path: path.into() });
         }
-        let mut checked = validate::check(path, &source::statements(source::text(path, &bytes)?))?;
-        let mut libraries = mtl::load(path, &checked);
+        let statements = source::statements(source::text(path, &bytes)?);
+        let mut checked = validate::check(path, &statements, options.contents)?;
+        let mut libraries = libraries::load(path, &checked);
         let polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 
@@ -265,7 +273,7 @@ impl Model {
             checked.warnings.push(format!(
                 "{}: texture coordinates range so far that their steps are 1/{} of a texture: \
                  move its islands together",
-                path.display(),
+                quote::shown(path),
                 1 << texture_fraction_bits
             ));
         }
@@ -273,7 +281,7 @@ impl Model {
         if options.contents.texture_coordinates && some_without {
             checked.warnings.push(format!(
                 "{}: {} of {} face corners have no texture coordinates and get (0, 0)",
-                path.display(),
+                quote::shown(path),
                 checked.corners - checked.textured_corners,
                 checked.corners
             ));

@@ -4,7 +4,7 @@ use std::{collections::HashMap, path::Path};
 
 use super::{
     error::ModelError,
-    mtl::{self, Libraries},
+    libraries::{self, Libraries},
     validate::Checked,
     vector::{Vector, key},
 };
@@ -39,27 +39,24 @@ pub(super) fn read(
     checked: &Checked,
     libraries: &Libraries,
 ) -> Result<Polygons, ModelError> {
-    let failed = |source| ModelError::Parse { path: path.into(), source };
     // The default keeps polygons whole and the three indices of a corner apart.
     let options = tobj::LoadOptions::default();
-    let (models, materials) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |_| {
-        tobj::load_mtl_buf(&mut libraries.text.as_bytes())
+    let materials = libraries.chosen.iter().enumerate();
+    let named: HashMap<String, usize> =
+        materials.filter_map(|(name, &chosen)| Some((name.to_string(), chosen?))).collect();
+    let (models, _) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |_| {
+        Ok((Vec::new(), named.clone()))
     })
-    .map_err(failed)?;
-    let materials = materials.map_err(failed)?;
+    .map_err(|source| ModelError::Parse { path: path.into(), source })?;
 
     let mut polygons = Polygons {
         // The last one is for faces without a material.
-        colors: materials
-            .iter()
-            .map(|material| material.diffuse.map_or(mtl::DEFAULT_COLOR, mtl::quantised))
-            .chain([mtl::DEFAULT_COLOR])
-            .collect(),
+        colors: [&libraries.colors[..], &[libraries::DEFAULT_COLOR]].concat(),
         ..Polygons::default()
     };
     let mut known = HashMap::new();
     for tobj::Model { mesh, .. } in &models {
-        let material = mesh.material_id.unwrap_or(materials.len());
+        let material = mesh.material_id.unwrap_or(libraries.colors.len());
         for corner in 0..mesh.indices.len() {
             let position = nth(&mesh.positions, mesh.indices[corner]);
             let index = *known.entry(key(position)).or_insert_with(|| {
@@ -91,15 +88,19 @@ fn nth<const N: usize>(values: &[f64], index: u32) -> [f64; N] {
 #[cfg(test)]
 mod tests {
     use super::{
-        super::{source::statements, validate},
+        super::{Contents, source::statements, validate},
         *,
     };
 
     fn polygons(text: &str) -> Polygons {
         let path = Path::new("m.obj");
-        let checked = validate::check(path, &statements(text)).unwrap();
-        let libraries =
-            Libraries { text: "newmtl a\nKd 1 0 0\nnewmtl b\n".into(), ..Libraries::default() };
+        let statements = statements(text.as_bytes());
+        let checked = validate::check(path, &statements, Contents::default()).unwrap();
+        let libraries = Libraries {
+            colors: vec![[255, 0, 0], [0, 0, 255]],
+            chosen: vec![Some(1), Some(0), None],
+            ..Libraries::default()
+        };
         read(path, &checked, &libraries).unwrap()
     }
 
@@ -130,6 +131,6 @@ mod tests {
         );
         let colors: Vec<[u8; 3]> =
             polygons.faces.iter().map(|&(_, m)| polygons.colors[m]).collect();
-        assert_eq!(colors, [[200; 3], [200; 3], [255, 0, 0], [200; 3]]);
+        assert_eq!(colors, [[200; 3], [0, 0, 255], [255, 0, 0], [200; 3]]);
     }
 }

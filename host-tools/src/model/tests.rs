@@ -8,6 +8,7 @@ use super::{
 };
 use crate::reference::random::Random;
 
+mod reading;
 mod shipped;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
@@ -62,7 +63,8 @@ fn faults_of_files_say_what_to_do() {
         (&b""[..], "m.obj is empty: export"),
         (b"\n\n", "m.obj has no vertices"),
         (b"v 0 0 0\nv 1 0 0\n", "m.obj has vertices but no faces"),
-        (b"v 0 0 0\n\xFF", "m.obj:2: byte 0xFF is not UTF-8"),
+        (b"v 0 0 0\nv \xFF 0 0", "m.obj:2: `\u{FFFD}` is not a number"),
+        (b"v\0 \0", "m.obj is UTF-16 text: save it as UTF-8"),
         (b"v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3", "m.obj:3: `v` needs 3 numbers"),
         (b"v 3 3 3\nv 3 3 3\nv 3 3 3\nf 1 2 3", "m.obj has no size"),
         (b"v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3", "m.obj: all 1 faces have zero area"),
