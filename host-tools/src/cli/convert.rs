@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use host_tools::model::{Contents, Fit, Model, Options, Report, emit, write_atomically};
 use serde::Serialize;
 
-use super::{Done, output, progress::Progress, view::within};
+use super::{Done, output, progress::Progress, smoothing::Smoothing};
 
 /// Every file of tables begins with these words.
 const MARK: &str = "// A model as const tables, written by host-tools ";
@@ -40,15 +40,8 @@ pub(super) struct Arguments {
     /// the origin
     #[arg(long)]
     keep_units: bool,
-    /// Up to this angle between two faces, a computed normal is smooth across their edge
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = Options::default().crease_degrees,
-        value_parser = within(0.0, 180.0),
-        allow_negative_numbers = true
-    )]
-    crease: f64,
+    #[command(flatten)]
+    smoothing: Smoothing,
     /// Which normals: vertex for Gouraud shading, face for flat shading
     #[arg(long, value_name = "WHICH", default_value = "both")]
     normals: Normals,
@@ -75,13 +68,13 @@ impl Arguments {
     fn options(&self) -> Options {
         Options {
             fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
-            crease_degrees: self.crease,
             contents: Contents {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
                 face_normals: matches!(self.normals, Normals::Face | Normals::Both),
                 texture_coordinates: self.texture_coordinates,
             },
             name: self.name.clone(),
+            ..self.smoothing.options()
         }
     }
 }

@@ -9,6 +9,7 @@ mod png;
 mod progress;
 mod render;
 mod showcase;
+mod smoothing;
 mod table;
 mod view;
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{source::Statement, warnings::Tally};
+use super::{smoothing::Smoothing, source::Statement, warnings::Tally};
 
 /// The statements that are left out although they show something, or that are not understood.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +13,7 @@ pub(super) struct Ignored {
     curves: Tally,
     calls: Tally,
     nameless: Tally,
+    smoothing: Tally,
     unknown: Tally,
 }
 
@@ -27,6 +28,9 @@ impl Ignored {
             b"curv" | b"surf" | b"bsp" | b"bzp" | b"cdc" | b"cdp" => &mut self.curves,
             b"call" | b"csh" => &mut self.calls,
             b"usemtl" if statement.name().is_empty() => &mut self.nameless,
+            b"s" if Smoothing::of(statement).is_none() => {
+                return self.smoothing.add_word(path, statement.line, statement.name());
+            }
             word if !is_known(word) => {
                 return self.unknown.add_word(path, statement.line, word);
             }
@@ -53,6 +57,9 @@ impl Ignored {
         }
         self.nameless
             .warn(warnings, |tally| format!("`usemtl` without a name: {}", tally.ignored()));
+        self.smoothing.warn(warnings, |tally| {
+            format!("`s` needs a number or `off` ({}): {}", tally.examples(), tally.ignored())
+        });
         self.unknown.warn(warnings, |tally| {
             let lines = tally.counted("line begins", "lines begin");
             format!("{lines} with an unknown word: {}: ignored", tally.examples())

@@ -7,9 +7,9 @@
 //! values before rounding.
 //!
 //! The converter reads positions, normals, texture coordinates, faces and diffuse colours of an OBJ
-//! file. It ignores smoothing groups. What else a file shows and the tables cannot hold, such as
-//! lines, curves, vertex colours, textures and transparency, it leaves out with a warning for each
-//! kind.
+//! file, and its smoothing groups where it has no normals. What else a file shows and the tables
+//! cannot hold, such as lines, curves, vertex colours, textures and transparency, it leaves out
+//! with a warning for each kind.
 
 pub mod emit;
 mod error;
@@ -24,6 +24,7 @@ mod polygons;
 mod quantize;
 mod quote;
 mod report;
+mod smoothing;
 mod source;
 #[cfg(test)]
 mod tests;
@@ -49,6 +50,7 @@ pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
 
+use smoothing::Smoothing;
 use triangulate::Triangle;
 use vector::{Vector, length, sub};
 use weld::Welded;
@@ -61,6 +63,10 @@ pub struct Options {
     /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
     /// across their edge.
     pub crease_degrees: f64,
+    /// Whether computed normals follow the file's smoothing groups (`s 1`, `s off`) in place of the
+    /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
+    /// follow the crease angle.
+    pub smoothing_groups: bool,
     /// Which tables to make.
     pub contents: Contents,
     /// The name of the static; `None` for that of the file.
@@ -68,11 +74,13 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Unit fit, a crease angle of 60 degrees, the default contents, the name of the file.
+    /// Unit fit, smoothing groups, a crease angle of 60 degrees, the default contents, the name of
+    /// the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
+            smoothing_groups: true,
             contents: Contents::default(),
             name: None,
         }
@@ -253,7 +261,10 @@ impl Model {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
         let materials = sort_by_material(&mut corners, &polygons.colors);
-        let normals = normals::corner_normals(&corners, &shape, degrees.to_radians());
+        if !options.smoothing_groups {
+            corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
+        }
+        let normals = smoothing::corner_normals(&corners, &shape, degrees.to_radians());
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
@@ -308,6 +319,7 @@ impl Model {
                 file_faces: checked.faces,
                 triangles: tables.welded.triangles.len(),
                 dropped_triangles,
+                smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()

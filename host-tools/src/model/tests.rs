@@ -10,6 +10,7 @@ use crate::reference::random::Random;
 
 mod reading;
 mod shipped;
+mod smoothing;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
 const CUBE: &str = "mtllib cube.mtl\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n\
@@ -199,7 +200,7 @@ fn the_same_model_in_other_writing_is_the_same() {
     )
     .unwrap();
     let variants = [
-        "# c\r\nv\t0 0 0\r\nv 3 0 0 1 0 0\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\ns 1\r\n\
+        "# c\r\nv\t0 0 0\r\nv 3 0 0 1 0 0\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\nmg 1\r\n\
          f 1 3 2\r\nf 1 2 4 \\\r\n\r\nf 2 3 \\\r\n4",
         "v 0 0 0\nv 3 0 0\nv 0 4 0\nf -3 -1 -2\nv 0 0 5\ng a b\nl 1 2 3 4\np 1\n\
          f -4 -3 -1\nf -3// -2// -1//",

@@ -3,7 +3,8 @@
 use earcut::Earcut;
 
 use super::{
-    polygons::{Corner, Polygons},
+    polygons::{Corner, Face, Polygons},
+    smoothing::Smoothing,
     vector::{Vector, add, cross, length, sub},
 };
 
@@ -14,6 +15,8 @@ pub(super) struct Triangle {
     pub corners: [Corner; 3],
     /// Its material.
     pub material: usize,
+    /// Its smoothing group.
+    pub smoothing: Smoothing,
 }
 
 /// Cuts all polygons into triangles by ear clipping, which also works for concave ones, and drops
@@ -26,7 +29,7 @@ pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Tri
     let mut triangles = Vec::new();
     let mut whole = 0;
     let mut start = 0;
-    for &(arity, material) in &polygons.faces {
+    for &Face { arity, material, smoothing } in &polygons.faces {
         let corners = &polygons.corners[start..start + arity];
         start += arity;
         whole += arity - 2;
@@ -44,7 +47,7 @@ pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Tri
         for ear in ears.chunks_exact(3) {
             let corners = [0, 1, 2].map(|i| corners[ear[i] as usize]);
             if has_area(corners.map(|c| positions[c.position as usize])) {
-                triangles.push(Triangle { corners, material });
+                triangles.push(Triangle { corners, material, smoothing });
             }
         }
     }
@@ -99,7 +102,7 @@ fn turn_counter_clockwise(points: &[[f64; 2]], ears: &mut [u32]) {
 /// epsilon, and the cross product of two edges one of about 8 epsilon times the longest edge. Three
 /// points on a slanted line, written in decimals, have no more area than that: their normal is
 /// noise.
-fn has_area([a, b, c]: [Vector; 3]) -> bool {
+pub(super) fn has_area([a, b, c]: [Vector; 3]) -> bool {
     let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)];
     let longest = length(ab).max(length(bc)).max(length(ca));
     length(cross(ab, bc)) > 8.0 * f64::EPSILON * longest
@@ -115,7 +118,7 @@ mod tests {
             corners: (0..ring.len() as u32)
                 .map(|position| Corner { position, normal: [0.0; 3], texture: [0.0; 2] })
                 .collect(),
-            faces: vec![(ring.len(), 0)],
+            faces: vec![Face { arity: ring.len(), material: 0, smoothing: Smoothing::Unstated }],
             colors: vec![[0; 3]],
         }
     }

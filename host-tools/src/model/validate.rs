@@ -20,6 +20,7 @@ use super::{
     error::{LineFault, ModelError},
     ignored::Ignored,
     quote::quote,
+    smoothing::Smoothing,
     source::Statement,
     warnings::Tally,
 };
@@ -35,6 +36,8 @@ pub(super) struct Checked {
     pub libraries: Vec<(usize, Vec<u8>)>,
     /// `usemtl` statements: line and name, each name once.
     pub materials: Vec<(usize, Vec<u8>)>,
+    /// The smoothing group of each face.
+    pub smoothing: Vec<Smoothing>,
     /// The number of `v` lines.
     pub vertices: usize,
     /// The number of faces.
@@ -69,6 +72,7 @@ pub(super) fn check(
     let mut tables = [const { String::new() }; 3];
     let mut faces = String::new();
     let mut named = HashMap::new();
+    let mut smoothing = Smoothing::Unstated;
     let mut unused = Unused::default();
     let mut ignored = Ignored::default();
     for statement in statements {
@@ -98,8 +102,10 @@ pub(super) fn check(
                     let _ = write!(faces, " {v}/{vt}/{vn}");
                 }
                 faces.push('\n');
+                checked.smoothing.push(smoothing);
                 checked.faces += 1;
             }
+            b"s" => smoothing = Smoothing::of(statement).unwrap_or(smoothing),
             b"mtllib" => checked.libraries.push((statement.line, statement.name().into())),
             b"usemtl" if !statement.name().is_empty() => {
                 let name = statement.name();
