@@ -192,25 +192,26 @@ fn dropped(defined: &[(usize, Definition)], again: &[(usize, usize)], libraries:
         }
     }
     let warnings = &mut libraries.warnings;
-    let (one, many) = ("material", "materials");
     doubles.warn(warnings, |tally| {
-        let definitions = tally.counted("definition", "definitions");
-        let names = tally.examples();
-        format!("{definitions} of names that are defined before ({names}): the first one counts")
+        let definitions = tally.counted("definition repeats", "definitions repeat");
+        format!("{definitions} a material's name ({}): the first one counts", tally.examples())
     });
     transparent.warn(warnings, |tally| {
-        let (materials, names) = (tally.counted(one, many), tally.examples());
-        format!("transparency (`d`, `Tr`, `map_d`) of {materials} is ignored: {names}")
+        let materials = tally.counted("material is", "materials are");
+        let names = tally.examples();
+        format!("{materials} transparent (`d`, `Tr`, `map_d`), which is ignored: {names}")
     });
     textured.warn(warnings, |tally| {
-        let (materials, names) = (tally.counted(one, many), tally.examples());
-        format!("textures (`map_Kd`) of {materials} are ignored, `Kd` is the colour: {names}")
+        let materials = tally.counted("material has", "materials have");
+        let names = tally.examples();
+        format!("{materials} a texture (`map_Kd`), which is ignored: {names}")
     });
     black.warn(warnings, |tally| {
-        let (materials, names) = (tally.counted(one, many), tally.examples());
+        let materials = tally.counted("material has", "materials have");
         format!(
-            "{materials} with a texture or light (`map_Kd`, `Ke`) and a black `Kd`, drawn in \
-             black: {names}: write the mean colour as `Kd`"
+            "{materials} a black `Kd` beside a texture or light (`map_Kd`, `Ke`), drawn in black: \
+             {}: write the mean colour as `Kd`",
+            tally.examples()
         )
     });
 }

@@ -14,6 +14,7 @@
 pub mod emit;
 mod error;
 mod fit;
+mod flattening;
 mod ignored;
 mod libraries;
 mod library_path;
@@ -272,10 +273,18 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let shape = at(&shape);
-        let fitted = fit::fit(path, &at(&polygons.positions), &shape, options.fit)?;
+        let (shape, original) = (at(&shape), at(&polygons.positions));
+        let fitted = fit::fit(path, &original, &shape, options.fit)?;
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
+        let rounding = flattening::Rounding {
+            written: &polygons.positions,
+            original: &original,
+            shape: &shape,
+            rounded: &positions,
+        };
+        let triangles = &tables.welded.triangles;
+        checked.warnings.extend(flattening::warning(path, &statements, triangles, rounding));
         let exact =
             exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?;
         let (texture_coordinates, texture_fraction_bits) =

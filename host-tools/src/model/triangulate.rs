@@ -5,7 +5,7 @@ use earcut::Earcut;
 use super::{
     polygons::{Corner, Face, Polygons},
     smoothing::Smoothing,
-    vector::{Vector, add, cross, length, sub},
+    vector::{Vector, add, cross, largest, length, sub},
 };
 
 /// A triangle, counter-clockwise when seen from its front.
@@ -96,16 +96,18 @@ fn turn_counter_clockwise(points: &[[f64; 2]], ears: &mut [u32]) {
     }
 }
 
-/// Whether a triangle has an area beyond the rounding of its coordinates, all at most 2.
+/// Whether a triangle has an area beyond the rounding of its coordinates.
 ///
-/// A coordinate c has an error of up to c * epsilon / 2. So each coordinate of an edge has one of 2
-/// epsilon, and the cross product of two edges one of about 8 epsilon times the longest edge. Three
-/// points on a slanted line, written in decimals, have no more area than that: their normal is
-/// noise.
+/// A coordinate c has an error of up to c * epsilon / 2. So each coordinate of an edge has one of
+/// c * epsilon, and the cross product of two edges one of about 4 c * epsilon times the longest
+/// edge. Three points on a slanted line, written in decimals, have no more area than that: their
+/// normal is noise.
 pub(super) fn has_area([a, b, c]: [Vector; 3]) -> bool {
-    let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)];
+    // In units of the largest coordinate, no product leaves the range of f64.
+    let coordinate = largest(a).max(largest(b)).max(largest(c));
+    let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)].map(|edge| edge.map(|x| x / coordinate));
     let longest = length(ab).max(length(bc)).max(length(ca));
-    length(cross(ab, bc)) > 8.0 * f64::EPSILON * longest
+    length(cross(ab, bc)) > 4.0 * f64::EPSILON * longest
 }
 
 #[cfg(test)]

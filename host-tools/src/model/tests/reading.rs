@@ -299,3 +299,42 @@ fn what_a_colour_loses_is_counted() {
         assert!(parts.iter().all(|part| warning.contains(part)), "{parts:?}: {warning}");
     }
 }
+
+/// A grid of 10 by 10 squares in steps of 1, with a further triangle to a vertex in line 122.
+fn grid_and(vertex: &str) -> String {
+    let vertices = (0..121).map(|i| format!("v {} {} 0\n", i % 11, i / 11)).collect::<String>();
+    let squares = (0..10).flat_map(|y| (0..10).map(move |x| y * 11 + x + 1));
+    let faces = squares.map(|i| format!("f {i} {} {} {}\n", i + 1, i + 12, i + 11));
+    format!("{vertices}v {vertex}\n{}f 1 12 122\n", faces.collect::<String>())
+}
+
+#[test]
+fn a_vertex_that_flattens_the_model_is_named() {
+    for (vertex, lost) in [
+        ("-5 0 5", false),
+        // A third of a million units in 65,534 steps: a step is ten of the grid's.
+        ("-3e5 0 5", true),
+        ("1e9 0 50", true),
+        // So far out that its triangle has no area, and only that one is left out.
+        ("0 -1e17 0", false),
+        ("0 0 1e300", false),
+    ] {
+        let model = load(&grid_and(vertex), &Options::default()).unwrap();
+        let is_left_out = vertex.contains("e17") || vertex.contains("e300");
+        assert_eq!(model.report.dropped_triangles, usize::from(is_left_out), "{vertex}");
+        if lost {
+            let times = "times as far out as half of the others";
+            one_warning(&model, &["m.obj:122: ", "of 201 triangles lose their area", times]);
+        } else {
+            assert_eq!(model.warnings, [""; 0]);
+        }
+    }
+    // A triangle of one unit in a model of a million: no vertex is far from all others.
+    let corners = "v 0 0 0\nv 1e6 0 0\nv 1e6 1e6 0\nv 0 1e6 0\n";
+    let text = format!(
+        "{corners}{}v 3 0 0\nv 3 1 0\nv 4 1 0\nf 1 2 3 4\nf 5 6 7 8\nf 9 10 11\n",
+        corners.replace(" 0\n", " 1e6\n")
+    );
+    let model = load(&text, &Options::default()).unwrap();
+    one_warning(&model, &["m.obj:9: 1 of 5 triangles", "the first at vertex [3.0, 0.0, 0.0]"]);
+}
