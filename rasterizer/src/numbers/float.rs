@@ -7,7 +7,7 @@
 
 use fixed::types::U16F16;
 
-use super::{Scale, reciprocal::Reciprocal};
+use super::reciprocal::Reciprocal;
 
 /// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or
 /// [`ZERO`](Self::ZERO).
@@ -43,10 +43,6 @@ impl Float {
         let rounded = (upper >> 1) + (upper & 1);
         let mantissa = if rounded >> 31 == 0 { rounded as i32 } else { i32::MAX };
         Self { mantissa: if value < 0 { -mantissa } else { mantissa }, exponent }
-    }
-
-    pub(crate) const fn from_scale(scale: Scale) -> Self {
-        Self::new(scale.mantissa() as i64, scale.exponent())
     }
 
     pub(crate) const fn from_unsigned(value: U16F16) -> Self {

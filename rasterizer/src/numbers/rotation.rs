@@ -83,20 +83,34 @@ impl Rotation {
         }))
     }
 
-    /// A direction in Q30 turned by the inverse rotation, rounded: the product of a row vector and
-    /// this matrix. It is not inlined: it makes matrices, once per frame.
+    /// A direction in Q30 turned by the inverse rotation, rounded.
     #[inline(never)]
     pub(crate) fn turn_back(&self, v: &[i32; 3]) -> [i32; 3] {
         let mut turned = [0; 3];
         for (column, turned) in turned.iter_mut().enumerate() {
             codegen::keep_rolled();
-            let mut sum = 1 << 29;
-            for (row, &v) in self.rows.iter().zip(v) {
-                sum += i64::from(row[column].to_bits()) * i64::from(v);
-            }
-            *turned = (sum >> 30) as i32;
+            *turned = ((self.along_column(column, v) + (1 << 29)) >> 30) as i32;
         }
         turned
+    }
+
+    /// A direction in Q30 turned by the inverse rotation, in Q60: the product of a row vector and
+    /// this matrix.
+    #[inline(always)]
+    pub(crate) fn turn_back_exactly(&self, v: &[i32; 3]) -> [i64; 3] {
+        [self.along_column(0, v), self.along_column(1, v), self.along_column(2, v)]
+    }
+
+    /// The scalar product of a column with a vector in Q30. It is not inlined: it makes matrices,
+    /// once per frame.
+    #[inline(never)]
+    fn along_column(&self, column: usize, v: &[i32; 3]) -> i64 {
+        let mut sum = 0;
+        for (row, &v) in self.rows.iter().zip(v) {
+            codegen::keep_rolled();
+            sum += i64::from(row[column].to_bits()) * i64::from(v);
+        }
+        sum
     }
 
     /// Makes the rows orthonormal again (Gram and Schmidt): the first row keeps its direction, and

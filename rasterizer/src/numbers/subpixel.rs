@@ -1,5 +1,7 @@
 //! How finely a place on the screen is resolved.
 
+use super::Coordinate;
+
 /// How finely a vertex's place on the screen is resolved.
 ///
 /// The choice is between [`S4`], whose set-up needs no 64-bit arithmetic, and [`S8`], the precision
@@ -7,6 +9,9 @@
 pub trait Subpixel: Copy + Default + private::Sealed {
     /// The binary digits behind the point of a pixel coordinate.
     const BITS: u32;
+    /// Its coordinates in clip space.
+    #[doc(hidden)]
+    type Coordinate: Coordinate;
 }
 
 mod private {
@@ -26,8 +31,10 @@ pub struct S8;
 
 impl Subpixel for S4 {
     const BITS: u32 = 4;
+    type Coordinate = i32;
 }
 
 impl Subpixel for S8 {
     const BITS: u32 = 8;
+    type Coordinate = i64;
 }
