@@ -114,9 +114,7 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
             } else {
                 margin * 2f64.powi(-27) * farthest
             };
-            z > lens.near + away
-                && z < lens.far - away
-                && x.abs().max(y.abs()) < w * (1.0 - across)
+            z > lens.near + away && z < lens.far - away && x.abs().max(y.abs()) < w * (1.0 - across)
         };
         let Some(place) = placed.get(index) else {
             // The whole mesh lies outside the picture, which reaches half a viewport to each side
@@ -131,10 +129,7 @@ fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Le
                 assert!(!is_certain(1.0), "vertex {index} is on the screen: {stage:?} {lens}");
             }
             Some([px, py]) => {
-                assert!(
-                    is_certain(-1.0),
-                    "vertex {index} is not on the screen: {stage:?} {lens}"
-                );
+                assert!(is_certain(-1.0), "vertex {index} is not on the screen: {stage:?} {lens}");
                 // The guard band's last sub-pixel is cut off.
                 placed_count += 1;
                 for (axis, (got, c)) in [(px, x), (py, y)].into_iter().enumerate() {

@@ -6,7 +6,7 @@ use std::{
 };
 
 use super::{
-    Provenance,
+    Contents, Provenance,
     error::ModelError,
     library_path,
     mtl::{self, Definition, Faults},
@@ -35,7 +35,7 @@ pub(super) struct Libraries {
 }
 
 /// Reads the libraries that the OBJ file at `obj` names, and finds its materials in them.
-pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
+pub(super) fn load(obj: &Path, checked: &Checked, contents: Contents) -> Libraries {
     let mut libraries = Libraries::default();
     let mut defined = Vec::new();
     let mut faults = Faults::default();
@@ -83,7 +83,7 @@ pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
             tally.examples()
         )
     });
-    dropped(&defined, &names.again, &mut libraries);
+    dropped(&defined, &names.again, contents, &mut libraries);
     libraries
 }
 
@@ -167,8 +167,13 @@ impl<'a> Names<'a> {
     }
 }
 
-/// Warns of what the chosen materials lose.
-fn dropped(defined: &[(usize, Definition)], again: &[(usize, usize)], libraries: &mut Libraries) {
+/// Warns of what the chosen materials lose. A texture is not lost if its coordinates are kept.
+fn dropped(
+    defined: &[(usize, Definition)],
+    again: &[(usize, usize)],
+    contents: Contents,
+    libraries: &mut Libraries,
+) {
     let used: HashSet<usize> = libraries.chosen.iter().copied().flatten().collect();
     let (mut doubles, mut transparent) = (Tally::default(), Tally::default());
     let (mut textured, mut black) = (Tally::default(), Tally::default());
@@ -182,7 +187,7 @@ fn dropped(defined: &[(usize, Definition)], again: &[(usize, usize)], libraries:
         if used.contains(&index) {
             for (tally, line) in [
                 (&mut transparent, material.transparent_line()),
-                (&mut textured, material.texture),
+                (&mut textured, material.texture.filter(|_| !contents.texture_coordinates)),
                 (&mut black, material.black_line()),
             ] {
                 if let Some(line) = line {
@@ -232,7 +237,7 @@ mod tests {
             materials: names.iter().map(|&n| (5, n.into())).collect(),
             ..Checked::default()
         };
-        load(&directory.path().join("m.obj"), &checked)
+        load(&directory.path().join("m.obj"), &checked, Contents::default())
     }
 
     #[test]
@@ -257,7 +262,7 @@ mod tests {
         }
         assert_eq!(warnings.len(), 4);
         let endless = Checked { libraries: vec![(3, vec![b'x'; 5_000])], ..Checked::default() };
-        let warnings = load(Path::new("m.obj"), &endless).warnings;
+        let warnings = load(Path::new("m.obj"), &endless, Contents::default()).warnings;
         assert!(warnings[0].starts_with("m.obj:3: `mtllib` names no file (`xxx"), "{warnings:?}");
         assert!(warnings[0].len() < 120, "{warnings:?}");
         let missing = libraries(None, &[]).warnings;

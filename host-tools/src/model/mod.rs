@@ -249,7 +249,7 @@ impl Model {
         }
         let statements = source::statements(source::text(path, &bytes)?);
         let mut checked = validate::check(path, &statements, options.contents)?;
-        let mut libraries = libraries::load(path, &checked);
+        let mut libraries = libraries::load(path, &checked, options.contents);
         let polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 

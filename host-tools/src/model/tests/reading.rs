@@ -338,3 +338,12 @@ fn a_vertex_that_flattens_the_model_is_named() {
     let model = load(&text, &Options::default()).unwrap();
     one_warning(&model, &["m.obj:9: 1 of 5 triangles", "the first at vertex [3.0, 0.0, 0.0]"]);
 }
+
+#[test]
+fn a_texture_is_not_lost_where_its_coordinates_are_kept() {
+    let obj = format!("{CORNERS}vt 0 0\nmtllib a.mtl\nusemtl a\nf 1/1 2/1 3/1\n");
+    let files: [(&str, &[u8]); 2] =
+        [("m.obj", obj.as_bytes()), ("a.mtl", b"newmtl a\nKd 1 1 1\nmap_Kd a.png\n")];
+    one_warning(&load_files(&files, &Options::default()).unwrap(), &["a.mtl:3: ", "texture"]);
+    assert_eq!(load_files(&files, &textured()).unwrap().warnings, [""; 0]);
+}
