@@ -11,6 +11,8 @@
 //! cannot hold, such as lines, curves, vertex colours, textures and transparency, it leaves out
 //! with a warning for each kind.
 
+mod cap;
+mod ears;
 pub mod emit;
 mod error;
 mod fit;
@@ -25,6 +27,7 @@ mod polygons;
 mod quantize;
 mod quote;
 mod report;
+mod slivers;
 mod smoothing;
 mod source;
 #[cfg(test)]
@@ -265,7 +268,11 @@ impl Model {
         if !options.smoothing_groups {
             corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
         }
-        let normals = smoothing::corner_normals(&corners, &shape, degrees.to_radians());
+        let normals = if options.contents.vertex_normals {
+            smoothing::corner_normals(&corners, &shape, degrees.to_radians())
+        } else {
+            Vec::new()
+        };
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 

@@ -1,9 +1,15 @@
 //! Vertex normals.
 
+use std::collections::HashMap;
+
 use super::{
-    triangulate::Triangle,
+    cap::CapTree,
+    triangulate::{Triangle, has_area},
     vector::{Vector, add, angle, cross, dot, normalized, scaled, sub},
 };
+
+/// Of more faces round a position the sums come from a tree.
+const CROWD: usize = 64;
 
 /// The unit normal of a triangle that is counter-clockwise seen from its front.
 pub(super) fn face_normal([a, b, c]: [Vector; 3]) -> Vector {
@@ -46,6 +52,10 @@ pub(super) fn corner_normals(
     let faces: Vec<Vector> = triangles.iter().map(|t| face_normal(places(t, positions))).collect();
     let mut around: Vec<Vec<(usize, f64)>> = vec![Vec::new(); positions.len()];
     for (face, triangle) in triangles.iter().enumerate() {
+        // The normal of a triangle without area is noise.
+        if !has_area(places(triangle, positions)) {
+            continue;
+        }
         for corner in 0..3 {
             let opening = opening(triangle, corner, positions);
             around[triangle.corners[corner].position as usize].push((face, opening));
@@ -53,7 +63,17 @@ pub(super) fn corner_normals(
     }
     // An angle equal to the crease is within it, also if its cosine is rounded down.
     let least = crease.cos() - 1e-9;
-    let smooth = |face: usize, position: u32| {
+    let crowded = (0..).zip(&around).filter(|(_, around)| around.len() > CROWD);
+    let trees: HashMap<u32, CapTree> = crowded
+        .map(|(position, around)| {
+            let normals = around.iter().map(|&(face, opening)| (faces[face], opening));
+            (position, CapTree::new(normals.collect()))
+        })
+        .collect();
+    let sum_of = |face: usize, position: u32| {
+        if let Some(tree) = trees.get(&position) {
+            return tree.sum(faces[face], least);
+        }
         let (mut sum, mut weight) = ([0.0; 3], 0.0);
         for &(other, opening) in &around[position as usize] {
             if dot(faces[other], faces[face]) >= least {
@@ -61,6 +81,10 @@ pub(super) fn corner_normals(
                 weight += opening;
             }
         }
+        (sum, weight)
+    };
+    let smooth = |face: usize, position: u32| {
+        let (sum, weight) = sum_of(face, position);
         mean(sum, weight).unwrap_or(faces[face])
     };
     triangles

@@ -8,6 +8,8 @@ use super::{
 };
 use crate::reference::random::Random;
 
+mod cutting;
+mod large;
 mod reading;
 mod shipped;
 mod smoothing;

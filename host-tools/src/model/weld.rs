@@ -22,13 +22,14 @@ pub(super) struct Welded {
 }
 
 /// Merges corners that have equal positions and equal values of all that `contents` keeps.
+/// `normals` may be empty if it keeps none.
 pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Contents) -> Welded {
     let mut welded = Welded::default();
     let mut known = HashMap::new();
-    for (triangle, normals) in triangles.iter().zip(normals) {
+    for (index, triangle) in triangles.iter().enumerate() {
         let vertices = [0, 1, 2].map(|i| {
             let corner = &triangle.corners[i];
-            let normal = if contents.vertex_normals { normals[i] } else { [0.0; 3] };
+            let normal = if contents.vertex_normals { normals[index][i] } else { [0.0; 3] };
             let texture = if contents.texture_coordinates { corner.texture } else { [0.0; 2] };
             *known.entry((corner.position, key(normal), key(texture))).or_insert_with(|| {
                 welded.positions.push(corner.position);
