@@ -169,10 +169,7 @@ pub enum ModelError {
         source: tobj::LoadError,
     },
     /// The result cannot be written.
-    #[error(
-        "{} cannot be written: {source}: check that its directory exists and is writable",
-        shown(.path)
-    )]
+    #[error("{} cannot be written: {source}: {}", shown(.path), remedy(source))]
     Write {
         /// The file.
         path: PathBuf,
@@ -184,6 +181,17 @@ pub enum ModelError {
         "OUT_DIR is not set: call this from a build script (build.rs), for which Cargo sets it"
     )]
     NoOutDir,
+}
+
+/// What to do about a file that cannot be written.
+fn remedy(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "make room on the disk, or write to another"
+        }
+        io::ErrorKind::InvalidFilename => "choose another name",
+        _ => "check that its directory exists and is writable",
+    }
 }
 
 /// What is wrong with a line.

@@ -242,15 +242,24 @@ impl Model {
     /// of material libraries are only [warnings](Self::warnings).
     pub fn load(path: impl AsRef<Path>, options: &Options) -> Result<Self, ModelError> {
         let path = path.as_ref();
+        Self::from_bytes(path, &source::read(path)?, options)
+    }
+
+    /// Converts the contents of an OBJ file. Its material libraries lie beside `path`, which names
+    /// it in messages.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`Self::load`], except those of reading the file.
+    pub fn from_bytes(path: &Path, bytes: &[u8], options: &Options) -> Result<Self, ModelError> {
         let degrees = options.crease_degrees;
         if !(0.0..=180.0).contains(&degrees) {
             return Err(ModelError::Crease { degrees });
         }
-        let bytes = source::read(path)?;
         if bytes.is_empty() {
             return Err(ModelError::Empty { path: path.into() });
         }
-        let statements = source::statements(source::text(path, &bytes)?);
+        let statements = source::statements(source::text(path, bytes)?);
         let mut checked = validate::check(path, &statements, options.contents)?;
         let mut libraries = libraries::load(path, &checked, options.contents);
         let polygons = polygons::read(path, &checked, &libraries)?;
@@ -318,7 +327,7 @@ impl Model {
         let mut model = Self {
             name: emit::static_name(options.name.as_deref().unwrap_or(&stem)),
             options: options.clone(),
-            provenance: [vec![Provenance::of(path, &bytes)], libraries.files].concat(),
+            provenance: [vec![Provenance::of(path, bytes)], libraries.files].concat(),
             inputs: [vec![path.into()], libraries.paths].concat(),
             vertex_normals: exact.vertex_normals.iter().map(|&n| quantize::normal(n)).collect(),
             face_normals: exact.face_normals.iter().map(|&n| quantize::normal(n)).collect(),
