@@ -40,7 +40,7 @@ impl Axis {
         let way = pose.translation.along(vector) - camera.eye().along(vector);
         let mut axis = Self { direction, way: way >> (46 - FRACTION_BITS), magnification };
         let scale = i64::from(pose.scale.to_bits()) << (FRACTION_BITS - 32);
-        for (column, offset) in offset.to_bits().into_iter().enumerate() {
+        for (column, &offset) in offset.to_bits().iter().enumerate() {
             keep_rolled();
             // Q16.16 times Q16.28.
             axis.advance(column, scale.wrapping_mul(offset.into()));
@@ -50,27 +50,33 @@ impl Axis {
 
     /// The coordinate of the anchor in clip space.
     #[inline(never)]
-    pub(super) fn origin(&self) -> Float {
+    pub(super) const fn origin(&self) -> Float {
         Float::new(self.way, -FRACTION_BITS).times(self.magnification)
+    }
+
+    /// How far a position can be from the anchor along the axis, in clip space.
+    #[inline(never)]
+    pub(super) const fn reach(&self, grid: &Grid) -> Float {
+        // The coordinates of a direction add up to no more than the root of 3.
+        const SUM: Float = Float::new(7, -2);
+        let mut reach = grid.quantum.times(SUM).times(self.magnification);
+        reach.exponent += grid.reach_bits;
+        reach
     }
 
     /// The least n for which the coordinate of all positions, and the translation, stay below 2^n.
     #[inline(never)]
     pub(super) fn magnitude(&self, grid: &Grid) -> i32 {
-        // The coordinates of a direction add up to no more than the root of 3.
-        const SUM: Float = Float::new(7, -2);
-        let mut reach = grid.quantum.times(SUM).times(self.magnification);
-        reach.exponent += grid.reach_bits;
         let mut origin = self.origin();
         origin.mantissa = origin.mantissa.abs();
-        let sum = reach.plus(origin);
+        let sum = self.reach(grid).plus(origin);
         // What is rounded up to the next power of two needs another bit.
         sum.magnitude() + i32::from(sum.mantissa >= i32::MAX - 3)
     }
 
     /// Moves the anchor by a length along an axis of the object.
     #[inline(never)]
-    fn advance(&mut self, column: usize, length: i64) {
+    const fn advance(&mut self, column: usize, length: i64) {
         self.way = self.way.wrapping_add(mul_q60(length, self.direction[column]));
     }
 }
@@ -88,9 +94,9 @@ pub(super) fn is_offset_in_range(pose: &Pose, offset: Vec3) -> bool {
 /// same matrix.
 ///
 /// The entries of a matrix are rounded, and what that moves a point by grows with the distance from
-/// where the matrix is exact: from the *anchor*. Coordinates without a fraction have it at the
-/// mesh's own origin. Coordinates with a fraction have it at the point of the mesh's grid that is
-/// nearest to the eye: no vertex is nearer, so that a vertex is off by no more than a fixed part of
+/// where the matrix is exact: from the *anchor*, which is the mesh's own origin. For an object that
+/// is large compared with how near it comes it moves to the point of the mesh's grid that is
+/// nearest to the eye. No vertex is nearer, so that a vertex is off by no more than a fixed part of
 /// its distance from the eye, however large the object is.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Grid {
@@ -104,8 +110,6 @@ pub(super) struct Grid {
     pub(super) anchor: [i32; 3],
     /// The distance of a position from the anchor is below 2 to this power, along an axis.
     reach_bits: i32,
-    /// What is added to coordinates, in units of 2^-15: half a unit, unless they have a fraction.
-    pub(super) bias: i32,
 }
 
 /// Further bits of the length of a quantum, so that 2^15 of them are as exact as other lengths.
@@ -120,12 +124,12 @@ impl Grid {
         let length = (product >> 1) as i64;
         let exponent = scale.exponent() - 15 - mesh.spare_bits().cast_signed();
         let quantum = Float::new(length, exponent);
-        Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15, bias: 1 << 14 }
+        Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15 }
     }
 
-    /// A length that no vertex is nearer to the eye than, or that is 4 times the half width of the
-    /// mesh's box: the larger of both, in world units. Call it once the anchor is near the eye.
-    pub(super) fn nearest(&self, axes: [&Axis; 3]) -> Float {
+    /// The least distance from the eye of a vertex, or 4 times the half width of the mesh's box: the
+    /// larger of both, in world units. Call it once the anchor is near the eye.
+    pub(super) fn distance(&self, axes: [&Axis; 3]) -> Float {
         let mut reach = self.quantum;
         reach.exponent += 15 + 2;
         let way = axes.map(|axis| axis.way.wrapping_abs());
@@ -140,14 +144,12 @@ impl Grid {
         if self.quantum.magnitude() > 1 {
             return false;
         }
-        self.bias = 0;
         if self.length == 0 {
             // All of it is at one point.
             return true;
         }
         let quantum = shifted(self.length, self.exponent + FRACTION_BITS + QUANTUM_BITS);
         let (upper, lower) = (quantum >> QUANTUM_BITS, quantum & ((1 << QUANTUM_BITS) - 1));
-        let per_quantum = self.quantum.reciprocal();
         let mut anchor = [0; 3];
         for (column, anchor) in anchor.iter_mut().enumerate() {
             keep_rolled();
@@ -158,7 +160,7 @@ impl Grid {
                 let part = mul_wide_q30(axis.way, (axis.direction[column] >> 30) as i32);
                 to_eye = to_eye.wrapping_sub(part);
             }
-            let quanta = Float::new(to_eye, -FRACTION_BITS).times(per_quantum).in_units_of(0);
+            let quanta = Float::new(to_eye, -FRACTION_BITS).over(self.quantum).in_units_of(0);
             let [min, max] = [mesh.bounds().min, mesh.bounds().max]
                 .map(|c| i32::from(c[column]) << mesh.spare_bits());
             *anchor = quanta.clamp(min, max);

@@ -28,10 +28,9 @@ pub(crate) trait Sealed {
     /// guard band at w = 1) and z lie below 2^`xy` and 2^`z`.
     fn units(&self, xy: i32, z: i32) -> Units;
 
-    /// The least w of a vertex on the screen that is as far from the eye as this, in world units.
-    /// `across` is the length of a world unit at w = 1 in guard bands. For an object whose near
-    /// plane is too few units away it is 0.
-    fn least_w(&self, distance: Float, across: Float, units: Units) -> i32;
+    /// The least w that a vertex on the screen has for each length of its distance from the eye,
+    /// times a distance: what a matrix that is exact near the eye is as good as.
+    fn least_w(&self, reach: &Reach) -> i32;
 
     /// The lens for these units.
     fn lens(&self, units: Units) -> Self::Lens;
@@ -44,6 +43,19 @@ pub(crate) struct Units {
     pub(crate) xy: i32,
     /// Of z.
     pub(crate) z: i32,
+}
+
+/// How far an object reaches.
+pub(crate) struct Reach {
+    /// In world units.
+    pub(super) distance: Float,
+    /// Guard bands for a world unit at w = 1.
+    pub(super) across: Float,
+    /// The least w of a vertex on the screen, in units of w.
+    pub(super) least_w: i32,
+    /// The sum of the largest |x| and |y|, in units of x and y.
+    pub(super) side: i64,
+    pub(super) units: Units,
 }
 
 /// A projection of vertices in clip space.
@@ -92,17 +104,23 @@ impl Sealed for Perspective {
         Units { xy: unit, z: unit }
     }
 
-    /// A corner of the guard band is at (w / f, w / f, w), where f is the focal length in guard
-    /// bands: at most w (1 + 1.5 / f) from the eye.
-    fn least_w(&self, distance: Float, across: Float, units: Units) -> i32 {
+    /// On the screen at a distance w along the axis: at most w (1 + 1.5 / f) from the eye, where f is
+    /// the focal length in guard bands and (w / f, w / f, w) a corner of the guard band; and at most
+    /// w and what the object reaches to the side.
+    fn least_w(&self, reach: &Reach) -> i32 {
         const ROOT: Float = Float::new(3, -1);
-        // A translation is exact to 2^-16 units: a 2^25th of this near distance.
-        if units.z > -39 {
+        let &Reach { distance, across, least_w, side, units } = reach;
+        // A translation is exact to 2^-16 units: a 2^25th of 2^9 units of near distance.
+        if units.z > -9 {
             return 0;
         }
         let deep = self.per_near();
-        let part = across.times(across.plus(deep.times(ROOT)).reciprocal());
-        distance.times(deep).times(part).in_units_of(units.z)
+        let in_guard_band = across.over(across.plus(deep.times(ROOT)));
+        let least = Float::new(least_w.into(), 0).times(across);
+        let to_side = least.over(least.plus(Float::new(side, 0).times(deep)));
+        let [a, b] = [in_guard_band, to_side]
+            .map(|part| distance.times(deep).times(part).in_units_of(units.z));
+        a.max(b)
     }
 
     fn lens(&self, units: Units) -> PerspectiveLens {
@@ -171,8 +189,8 @@ impl Sealed for Orthographic {
         }
     }
 
-    /// w is the same everywhere.
-    fn least_w(&self, _: Float, _: Float, _: Units) -> i32 {
+    /// w is the same everywhere, and the lens has it.
+    fn least_w(&self, _: &Reach) -> i32 {
         0
     }
 

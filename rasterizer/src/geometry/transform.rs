@@ -3,7 +3,7 @@
 use super::{
     Pose, PoseError, Projection, ScreenVertex,
     axis::{self, Axis, Grid},
-    lens::Lens,
+    lens::{Lens, Reach},
     row::Row,
     screen::GUARD_BITS,
 };
@@ -47,50 +47,72 @@ pub(crate) struct Transform<P: Projection> {
 }
 
 impl<P: Projection> Transform<P> {
-    /// Pose, camera, focal length and the mesh's own scale in one matrix.
+    /// Pose, camera, focal length and the mesh's own scale in one matrix. Where coordinates have a
+    /// fraction, it is exact near the eye if it must be.
     // codegen: not inlined, or the caller's frame would hold its temporaries while triangles are
     // drawn.
     #[inline(never)]
     pub(crate) fn new<S: Subpixel>(camera: &Camera<P>, pose: &Pose, mesh: &Mesh<'_>) -> Self {
         let projection = camera.projection();
         let viewport = camera.viewport();
+        let (corner, size) = (viewport.top_left, viewport.size);
         // Guard bands for a world unit at w = 1, and units of z.
-        let [mut across, deep] = projection.magnification(viewport.size.height);
+        let [mut across, deep] = projection.magnification(size.height);
         across.exponent -= GUARD_BITS as i32;
         let offset = mesh.tables().offset;
         let axis = |axis, magnification| Axis::new(camera, axis, magnification, pose, offset);
-        let (mut x, mut y, mut z) = (axis(0, across), axis(1, across), axis(2, deep));
+        let (mut x_axis, mut y_axis, mut z_axis) =
+            (axis(0, across), axis(1, across), axis(2, deep));
         let mut grid = Grid::new(pose, mesh);
-        let mut is_exact = axis::is_offset_in_range(pose, offset);
-        if S::Coordinate::HAS_FRACTION {
-            is_exact &= grid.move_anchor([&mut x, &mut y, &mut z], mesh);
-        }
-        let units =
-            projection.units(x.magnitude(&grid).max(y.magnitude(&grid)), z.magnitude(&grid));
-        let [near, far] = projection.depth_range(units);
-        let (corner, size) = (viewport.top_left, viewport.size);
-        let z_row = Row::new(&z, &grid, units.z);
-        let lens = projection.lens(units);
-        let mut least_w = lens.least_w(z_row.least());
-        if S::Coordinate::HAS_FRACTION {
-            let nearest = grid.nearest([&x, &y, &z]);
-            least_w = least_w.max(projection.least_w(nearest, across, units));
-        }
-        // Four units for entries and translation, and eight steps for the way, move a vertex by an
-        // eighth of a sub-pixel at most if w is this many units and steps.
-        let step = across.magnitude().max(deep.magnitude()) - axis::FRACTION_BITS - units.xy;
-        let least_bits = (step + 18).max(16) + S::BITS as i32;
-        is_exact &= least_bits < 31 && least_w >> least_bits != 0;
-        Self {
-            x: Row::new(&x, &grid, units.xy),
-            y: Row::new(&y, &grid, units.xy),
-            z: z_row,
-            near,
-            far,
-            lens,
-            position_shift: mesh.spare_bits() + <Row>::POSITION_SHIFT,
-            is_exact,
-            center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
+        let mut is_in_range = axis::is_offset_in_range(pose, offset);
+        let mut is_moved = false;
+        let mut reach = z_axis.reach(&grid);
+        reach.mantissa = -reach.mantissa;
+        let least_z = z_axis.origin().plus(reach);
+        loop {
+            let units = projection.units(
+                x_axis.magnitude(&grid).max(y_axis.magnitude(&grid)),
+                z_axis.magnitude(&grid),
+            );
+            let [near, far] = projection.depth_range(units);
+            let lens = projection.lens(units);
+            let mut least_w = lens.least_w(least_z.in_units_of(units.z));
+            if is_moved {
+                let [x, y] = [&x_axis, &y_axis].map(|axis| {
+                    let row = <Row>::new::<S::Coordinate>(axis, &grid, units.xy);
+                    row.end(mesh, false).saturating_abs().max(row.end(mesh, true).saturating_abs())
+                });
+                let near_axis = projection.least_w(&Reach {
+                    distance: grid.distance([&x_axis, &y_axis, &z_axis]),
+                    across,
+                    least_w,
+                    side: i64::from(x) + i64::from(y),
+                    units,
+                });
+                least_w = least_w.max(near_axis);
+            }
+            // In units, a coordinate is off by 3.7 at most: 1.9 for the entries, 0.5 each for
+            // rounding the translation and the sum, the rest for the 31 bits of lengths; with a
+            // fraction by 3.5. That much of x and of w move a vertex by an eighth of a sub-pixel at
+            // most if w is this large. So do the steps of the way, eight of which it is off by.
+            let step = across.magnitude().max(deep.magnitude()) - axis::FRACTION_BITS - units.xy;
+            let bits = (step + 18).max(16) + S::BITS as i32;
+            let is_exact = is_in_range && bits < 31 && least_w >> bits != 0;
+            if is_exact || is_moved || !S::Coordinate::HAS_FRACTION {
+                break Self {
+                    x: Row::new::<S::Coordinate>(&x_axis, &grid, units.xy),
+                    y: Row::new::<S::Coordinate>(&y_axis, &grid, units.xy),
+                    z: Row::new::<S::Coordinate>(&z_axis, &grid, units.z),
+                    near,
+                    far,
+                    lens,
+                    position_shift: mesh.spare_bits() + <Row>::POSITION_SHIFT,
+                    is_exact,
+                    center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
+                };
+            }
+            is_in_range &= grid.move_anchor([&mut x_axis, &mut y_axis, &mut z_axis], mesh);
+            is_moved = true;
         }
     }
 
@@ -113,7 +135,7 @@ impl<P: Projection> Transform<P> {
 
     /// Checks that the object fits the projection's number range. Call this first: no other method
     /// is valid until it succeeds.
-    pub(crate) fn check(&self) -> Result<(), PoseError> {
+    pub(crate) const fn check(&self) -> Result<(), PoseError> {
         if self.is_exact { Ok(()) } else { Err(PoseError) }
     }
 

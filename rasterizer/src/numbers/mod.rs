@@ -40,4 +40,5 @@ pub(crate) use rotation::cross;
 pub use scale::Scale;
 pub use subpixel::{S4, S8, Subpixel};
 pub use turn::Turn;
+pub(crate) use turn::cotangent_of_half;
 pub use vector::{Scalar, Vec3};

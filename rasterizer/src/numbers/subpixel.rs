@@ -20,12 +20,13 @@ mod private {
     impl Sealed for super::S8 {}
 }
 
-/// Sixteenths of a pixel: a vertex is off by at most 1/32 pixel in x and y. For cores without a
-/// long multiply.
+/// Sixteenths of a pixel: a vertex is off by at most 5/128 pixel in x and y. For cores without a
+/// long multiply, and objects up to some hundred near distances wide.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct S4;
 
-/// 256ths of a pixel: a vertex is off by at most 1/512 pixel in x and y.
+/// 256ths of a pixel: a vertex is off by at most 5/2048 pixel in x and y. For objects up to some
+/// hundred thousand near distances wide: a ground to the horizon, a room with the camera in it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct S8;
 
