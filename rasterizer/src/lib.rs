@@ -193,7 +193,7 @@
 //! | world coordinates | Q16.16 | ±32,768 |
 //! | directions, matrices | Q2.30 | orthonormal within 2<sup>-26</sup> |
 //! | positions in a mesh | 16 bits times the mesh's [`Scale`](numbers::Scale) | half a quantum: 1/131,068 of the longest side |
-//! | places on the screen | sub-pixels, 4 or 8 bits behind the point | half a sub-pixel of snapping and 1/8 of arithmetic, down to a near plane of 1/100 of the object's size; ±1,024 pixels about the viewport's middle |
+//! | places on the screen | sub-pixels, 4 or 8 bits behind the point | half a sub-pixel of snapping and 1/8 of arithmetic, for objects up to some hundred near distances wide with 4 bits, some hundred thousand with 8 ([`PoseError`](geometry::PoseError) has the limit, beyond which an object is refused); ±1,024 pixels about the viewport's middle |
 //! | depth | Q0.16, Q0.32 or [floating-point](attribute::FloatDepth) in 16 bits, stepped with 16 or 18 more bits | 1 unit of the format |
 //! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
 //!
