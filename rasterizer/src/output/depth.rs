@@ -131,7 +131,10 @@ fn clear_words(words: &mut [u32]) {
     let (runs, rest) = words.as_chunks_mut::<64>();
     for run in runs {
         codegen::keep_rolled();
-        run.iter_mut().for_each(|word| *word = zero);
+        run.iter_mut().for_each(|word| {
+            *word = zero;
+            codegen::keep_apart();
+        });
     }
     // Of unknown length, or the compiler makes a case of each.
     for word in codegen::unknown(rest) {
