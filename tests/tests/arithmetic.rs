@@ -49,8 +49,20 @@ fn sweep(path: &std::path::Path) {
 }
 
 fn judge(model: &Model, view: &View) -> usize {
-    let outcome =
-        check(model, view).unwrap_or_else(|error| panic!("{}: {error}", model.name)).outcome;
+    let outcome = match check(model, view) {
+        Ok(report) => report.outcome,
+        // Three rows are so low that the guard band reaches 89.8 degrees to the side, where S8 has
+        // no range for what surrounds the camera.
+        Err(error) => {
+            let is_too_wide = view.size[1] <= 3 && view.distance < 1.0;
+            assert!(
+                is_too_wide && view.subpixel == Subpixel::S8,
+                "{}: {error}\n{view:#?}",
+                model.name
+            );
+            return 0;
+        }
+    };
     assert!(
         outcome.is_within(&Bounds::ARITHMETIC),
         "{}: {:#?}\n{view:#?}",

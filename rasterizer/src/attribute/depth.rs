@@ -49,9 +49,11 @@ impl DepthFormat for u16 {
     }
 }
 
-/// Units of 2<sup>-32</sup>; 1 is stored as 2<sup>32</sup> - 1. The reciprocal behind a vertex's
-/// depth is within 2<sup>-27</sup> of it, so that the last five bits tell neighbouring pixels of
-/// one surface apart, not two surfaces.
+/// Units of 2<sup>-32</sup>; 1 is stored as 2<sup>32</sup> - 1, and a vertex on the near plane as
+/// 2<sup>32</sup> - 2. Interpolation is exact to one unit, a vertex is not: the reciprocal behind its
+/// depth is within 2<sup>-27</sup> of it, and its distance w within 4 units of clip space, a
+/// 2<sup>28</sup>th of the object's largest coordinate ([`PoseError`](crate::geometry::PoseError)).
+/// So the last bits tell neighbouring pixels of one surface apart, not two surfaces.
 impl DepthFormat for u32 {
     #[inline(always)]
     fn from_fraction(q32: u32) -> Self {

@@ -52,6 +52,38 @@ pub(crate) const fn mul_q30(a: i32, b: i32) -> i32 {
     ((a as i64 * b as i64 + (1 << 29)) >> 30) as i32
 }
 
+/// The product of a wide number with a factor in Q30, rounded down. It is not inlined: only
+/// matrices use it, once per frame.
+#[inline(never)]
+pub(crate) const fn mul_wide_q30(a: i64, factor: i32) -> i64 {
+    let (upper, lower) = (a >> 30, a & ((1 << 30) - 1));
+    upper * factor as i64 + ((lower * factor as i64) >> 30)
+}
+
+/// The product of a wide number with a factor in Q60 of magnitude up to 1, within two steps.
+pub(crate) const fn mul_q60(a: i64, factor: i64) -> i64 {
+    let lower = (factor & ((1 << 30) - 1)) as i32;
+    mul_wide_q30(a, (factor >> 30) as i32) + (mul_wide_q30(a, lower) >> 30)
+}
+
+/// `value * 2^shift`, rounded. It must fit. It is not inlined: only matrices use it, once per
+/// frame.
+// codegen: loops, because the routines that shift 64 bits are more code.
+#[inline(never)]
+pub(crate) const fn shifted(value: i64, shift: i32) -> i64 {
+    let (mut value, mut shift) = (value, if shift < -64 { -64 } else { shift });
+    while shift > 0 {
+        value <<= 1;
+        shift -= 1;
+    }
+    while shift < 0 {
+        // The last step rounds.
+        shift += 1;
+        value = if shift < 0 { value >> 1 } else { (value >> 1) + (value & 1) };
+    }
+    value
+}
+
 /// The leading zeros of a number.
 #[inline(always)]
 pub(crate) const fn leading_zeros(value: u32) -> u32 {
