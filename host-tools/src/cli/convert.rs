@@ -53,6 +53,9 @@ pub(super) struct Arguments {
     keep_units: bool,
     #[command(flatten)]
     smoothing: Smoothing,
+    /// Turn over faces that run against their neighbours, and closed parts that are inside out
+    #[arg(long)]
+    fix_winding: bool,
     /// Which normals: vertex for Gouraud shading, face for flat shading
     #[arg(long, value_name = "WHICH", default_value = "both")]
     normals: Normals,
@@ -79,6 +82,7 @@ impl Arguments {
     fn options(&self) -> Options {
         Options {
             fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
+            fix_winding: self.fix_winding,
             contents: Contents {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
                 face_normals: matches!(self.normals, Normals::Face | Normals::Both),

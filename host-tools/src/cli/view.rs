@@ -122,6 +122,9 @@ pub(super) struct ViewOptions {
     roll: f64,
     #[command(flatten)]
     smoothing: Smoothing,
+    /// Turn over faces that run against their neighbours, and closed parts that are inside out
+    #[arg(long)]
+    fix_winding: bool,
     /// Frames of a full turn about y, 1 to 360
     #[arg(
         long,
@@ -156,7 +159,7 @@ impl ViewOptions {
 
     /// The conversion of the model for it.
     pub(super) fn conversion(&self) -> Options {
-        self.smoothing.options()
+        Options { fix_winding: self.fix_winding, ..self.smoothing.options() }
     }
 }
 

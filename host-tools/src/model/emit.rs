@@ -55,10 +55,11 @@ fn options(model: &Model) -> String {
     .filter_map(|(kept, name)| kept.then_some(name))
     .collect();
     let tables = if tables.is_empty() { "none".to_owned() } else { tables.join(", ") };
+    let winding = if options.fix_winding { "winding mended, " } else { "" };
     let fit = options.fit;
     let groups = if model.report.smoothing_groups { "smoothing groups, " } else { "" };
     let crease = options.crease_degrees;
-    format!("{fit}, {groups}a crease angle of {crease} degrees, contents: {tables}")
+    format!("{fit}, {groups}a crease angle of {crease} degrees, {winding}contents: {tables}")
 }
 
 fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {

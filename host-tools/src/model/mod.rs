@@ -37,6 +37,7 @@ mod validate;
 mod vector;
 mod warnings;
 mod weld;
+mod winding;
 mod write;
 
 use std::{
@@ -71,6 +72,9 @@ pub struct Options {
     /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
     /// follow the crease angle.
     pub smoothing_groups: bool,
+    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
+    /// turned over. Without it they are only told.
+    pub fix_winding: bool,
     /// Which tables to make.
     pub contents: Contents,
     /// The name of the static; `None` for that of the file.
@@ -78,13 +82,14 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Unit fit, smoothing groups, a crease angle of 60 degrees, the default contents, the name of
-    /// the file.
+    /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, the default
+    /// contents, the name of the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
             smoothing_groups: true,
+            fix_winding: false,
             contents: Contents::default(),
             name: None,
         }
@@ -262,13 +267,18 @@ impl Model {
         let statements = source::statements(source::text(path, bytes)?);
         let mut checked = validate::check(path, &statements, options.contents)?;
         let mut libraries = libraries::load(path, &checked, options.contents);
-        let polygons = polygons::read(path, &checked, &libraries)?;
+        let mut polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 
         let shape = fit::to_common_size(&polygons.positions);
         if fit::has_no_size(&shape) {
             return Err(ModelError::NoSize { path: path.into() });
         }
+        let winding = winding::judge(&polygons, &shape);
+        if options.fix_winding {
+            winding.mend(&mut polygons, &shape);
+        }
+        checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
@@ -285,7 +295,7 @@ impl Model {
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
-        let tables = Ordered::new(welded, &materials);
+        let tables = order::Ordered::new(welded, &materials);
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
@@ -345,6 +355,7 @@ impl Model {
                 triangles: tables.welded.triangles.len(),
                 dropped_triangles,
                 smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
+                turned_faces: if options.fix_winding { winding.turned() } else { 0 },
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()
@@ -439,34 +450,6 @@ fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Mater
     }
     triangles.sort_by_key(|triangle| rank[triangle.material]);
     materials
-}
-
-/// Welded vertices and triangles in their final order.
-struct Ordered {
-    welded: Welded,
-    cache_misses_before: f64,
-    cache_misses: f64,
-}
-
-impl Ordered {
-    fn new(welded: Welded, materials: &[Material]) -> Self {
-        let count = welded.positions.len();
-        let runs: Vec<usize> = materials.iter().map(|m| m.triangle_count as usize).collect();
-        let mut triangles = order::triangles(&welded.triangles, &runs, count);
-        let cache_misses_before = order::cache_miss_ratio(&welded.triangles, count);
-        let cache_misses = order::cache_miss_ratio(&triangles, count);
-        let vertices = order::vertices(&mut triangles, count);
-        Self {
-            welded: Welded {
-                positions: vertices.iter().map(|&v| welded.positions[v]).collect(),
-                normals: vertices.iter().map(|&v| welded.normals[v]).collect(),
-                textures: vertices.iter().map(|&v| welded.textures[v]).collect(),
-                triangles,
-            },
-            cache_misses_before,
-            cache_misses,
-        }
-    }
 }
 
 /// The unrounded tables that `contents` asks for.

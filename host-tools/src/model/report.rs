@@ -18,6 +18,8 @@ pub struct Report {
     pub dropped_triangles: usize,
     /// Whether normals follow the file's smoothing groups.
     pub smoothing_groups: bool,
+    /// Faces turned over to mend the winding.
+    pub turned_faces: usize,
     /// The diagonal of the bounding box in model units.
     pub size: f64,
     /// The longest distance between a vertex and its quantised position, in model units.
@@ -100,6 +102,9 @@ impl fmt::Display for Report {
             thousands(self.file_faces),
             thousands(self.dropped_triangles)
         )?;
+        if self.turned_faces > 0 {
+            writeln!(f, "Faces turned over: {}", thousands(self.turned_faces))?;
+        }
         writeln!(f, "Size (diagonal of the bounding box): {:.4} units", self.size)?;
         writeln!(
             f,

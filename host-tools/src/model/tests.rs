@@ -13,6 +13,7 @@ mod large;
 mod reading;
 mod shipped;
 mod smoothing;
+mod winding;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
 const CUBE: &str = "mtllib cube.mtl\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n\
