@@ -15,6 +15,7 @@ mod cap;
 mod ears;
 pub mod emit;
 mod error;
+mod faces;
 mod fit;
 mod flattening;
 mod ignored;
@@ -51,6 +52,7 @@ use rasterizer::{
 };
 
 pub use error::{LineFault, ModelError};
+pub use faces::{Face, Faces};
 pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
@@ -68,13 +70,13 @@ pub struct Options {
     /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
     /// across their edge.
     pub crease_degrees: f64,
+    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
+    /// turned over. Without it they are only told.
+    pub fix_winding: bool,
     /// Whether computed normals follow the file's smoothing groups (`s 1`, `s off`) in place of the
     /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
     /// follow the crease angle.
     pub smoothing_groups: bool,
-    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
-    /// turned over. Without it they are only told.
-    pub fix_winding: bool,
     /// Which tables to make.
     pub contents: Contents,
     /// The name of the static; `None` for that of the file.
@@ -88,8 +90,8 @@ impl Default for Options {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
-            smoothing_groups: true,
             fix_winding: false,
+            smoothing_groups: true,
             contents: Contents::default(),
             name: None,
         }
@@ -210,6 +212,8 @@ pub struct Exact {
     pub face_normals: Vec<[f64; 3]>,
     /// Texture coordinates in repeats of the texture, v running down, none of them negative.
     pub texture_coordinates: Vec<[f64; 2]>,
+    /// The faces of the file, not yet cut into triangles.
+    pub faces: Faces,
 }
 
 /// A file that a model is made from.
@@ -299,8 +303,10 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let (shape, original) = (at(&shape), at(&polygons.positions));
+        let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
+        let lines = &checked.face_lines;
+        let faces = Faces::new(&polygons, &whole, &fitted, lines, &tables.welded.positions);
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
         let rounding = flattening::Rounding {
@@ -311,8 +317,10 @@ impl Model {
         };
         let triangles = &tables.welded.triangles;
         checked.warnings.extend(flattening::warning(path, &statements, triangles, rounding));
-        let exact =
-            exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?;
+        let exact = Exact {
+            faces,
+            ..exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?
+        };
         let (texture_coordinates, texture_fraction_bits) =
             quantize::textures(path, &exact.texture_coordinates)?;
         if texture_fraction_bits < 8 {
@@ -354,8 +362,8 @@ impl Model {
                 file_faces: checked.faces,
                 triangles: tables.welded.triangles.len(),
                 dropped_triangles,
-                smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
                 turned_faces: if options.fix_winding { winding.turned() } else { 0 },
+                smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()
@@ -478,5 +486,6 @@ fn exact(
         } else {
             Vec::new()
         },
+        ..Exact::default()
     })
 }

@@ -16,10 +16,10 @@ pub struct Report {
     pub triangles: usize,
     /// Triangles left out because they have no area.
     pub dropped_triangles: usize,
-    /// Whether normals follow the file's smoothing groups.
-    pub smoothing_groups: bool,
     /// Faces turned over to mend the winding.
     pub turned_faces: usize,
+    /// Whether normals follow the file's smoothing groups.
+    pub smoothing_groups: bool,
     /// The diagonal of the bounding box in model units.
     pub size: f64,
     /// The longest distance between a vertex and its quantised position, in model units.

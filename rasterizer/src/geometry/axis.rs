@@ -127,8 +127,8 @@ impl Grid {
         Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15 }
     }
 
-    /// The least distance from the eye of a vertex, or 4 times the half width of the mesh's box: the
-    /// larger of both, in world units. Call it once the anchor is near the eye.
+    /// The least distance from the eye of a vertex, or 4 times the half width of the mesh's box:
+    /// the larger of both, in world units. Call it once the anchor is near the eye.
     pub(super) fn distance(&self, axes: [&Axis; 3]) -> Float {
         let mut reach = self.quantum;
         reach.exponent += 15 + 2;
