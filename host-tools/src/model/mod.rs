@@ -299,7 +299,7 @@ impl Model {
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
-        let tables = Ordered::new(welded, &materials);
+        let tables = order::Ordered::new(welded, &materials);
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
@@ -458,34 +458,6 @@ fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Mater
     }
     triangles.sort_by_key(|triangle| rank[triangle.material]);
     materials
-}
-
-/// Welded vertices and triangles in their final order.
-struct Ordered {
-    welded: Welded,
-    cache_misses_before: f64,
-    cache_misses: f64,
-}
-
-impl Ordered {
-    fn new(welded: Welded, materials: &[Material]) -> Self {
-        let count = welded.positions.len();
-        let runs: Vec<usize> = materials.iter().map(|m| m.triangle_count as usize).collect();
-        let mut triangles = order::triangles(&welded.triangles, &runs, count);
-        let cache_misses_before = order::cache_miss_ratio(&welded.triangles, count);
-        let cache_misses = order::cache_miss_ratio(&triangles, count);
-        let vertices = order::vertices(&mut triangles, count);
-        Self {
-            welded: Welded {
-                positions: vertices.iter().map(|&v| welded.positions[v]).collect(),
-                normals: vertices.iter().map(|&v| welded.normals[v]).collect(),
-                textures: vertices.iter().map(|&v| welded.textures[v]).collect(),
-                triangles,
-            },
-            cache_misses_before,
-            cache_misses,
-        }
-    }
 }
 
 /// The unrounded tables that `contents` asks for.
