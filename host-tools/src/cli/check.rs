@@ -138,7 +138,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             within_bounds: is_within_bounds,
             pictures,
         };
-        serde_json::to_string_pretty(&object)? + "\n"
+        output::json(&object)?
     } else {
         let (vertices, triangles) = (model.report.vertices, model.report.triangles);
         let mut text = format!("{}: {vertices} vertices, {triangles} triangles\n", path.display());

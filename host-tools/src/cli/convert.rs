@@ -15,7 +15,7 @@ use super::{
     Done,
     output::{self, Kind, Overwriting},
     progress::Progress,
-    view::within,
+    smoothing::Smoothing,
 };
 
 /// Files of tables. Each begins with these words.
@@ -51,15 +51,8 @@ pub(super) struct Arguments {
     /// the origin
     #[arg(long)]
     keep_units: bool,
-    /// Up to this angle between two faces, a computed normal is smooth across their edge
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = Options::default().crease_degrees,
-        value_parser = within(0.0, 180.0),
-        allow_negative_numbers = true
-    )]
-    crease: f64,
+    #[command(flatten)]
+    smoothing: Smoothing,
     /// Turn over faces that run against their neighbours, and closed parts that are inside out
     #[arg(long)]
     fix_winding: bool,
@@ -89,7 +82,6 @@ impl Arguments {
     fn options(&self) -> Options {
         Options {
             fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
-            crease_degrees: self.crease,
             fix_winding: self.fix_winding,
             contents: Contents {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
@@ -97,6 +89,7 @@ impl Arguments {
                 texture_coordinates: self.texture_coordinates,
             },
             name: self.name.clone(),
+            ..self.smoothing.options()
         }
     }
 }
@@ -151,7 +144,7 @@ fn json(arguments: &Arguments, path: &Path, model: &Model) -> Result<String> {
         flash_total: report.flash.total(),
         warnings: &model.warnings,
     };
-    Ok(serde_json::to_string_pretty(&object)? + "\n")
+    output::json(&object)
 }
 
 /// Loads a model and prints its warnings.

@@ -10,6 +10,7 @@ mod progress;
 mod render;
 mod showcase;
 mod signals;
+mod smoothing;
 mod table;
 mod view;
 

@@ -7,12 +7,16 @@ use std::{
 };
 
 use anyhow::{Context as _, Result, bail};
-use host_tools::model::{Model, write_atomically};
+use host_tools::model::{Model, printable, write_atomically};
+use serde::Serialize;
 
 use super::{png, signals};
 
-/// Prints to the standard output. A pipe that its reader has closed is not an error.
+/// Prints to the standard output, with control characters of names escaped if it is text. A pipe
+/// that its reader has closed is not an error.
 pub(super) fn print(result: &[u8]) -> Result<()> {
+    let escaped = str::from_utf8(result).map(lines);
+    let result = escaped.as_deref().map_or(result, str::as_bytes);
     let mut out = io::stdout().lock();
     match out.write_all(result).and_then(|()| out.flush()) {
         Err(error) if error.kind() != ErrorKind::BrokenPipe => {
@@ -24,7 +28,24 @@ pub(super) fn print(result: &[u8]) -> Result<()> {
 
 /// Prints a line to the standard error. Ignores an error: there is nowhere left to report it.
 pub(super) fn complain(kind: &str, message: &str) {
-    let _ = writeln!(io::stderr(), "{kind}: {message}");
+    let _ = writeln!(io::stderr(), "{kind}: {}", lines(message));
+}
+
+/// Escapes what would act on a terminal, but for the ends of lines.
+fn lines(text: &str) -> String {
+    text.split('\n').map(printable).collect::<Vec<_>>().join("\n")
+}
+
+/// An object as JSON for the standard output. What would act on a terminal is escaped as in JSON.
+pub(super) fn json(object: &impl Serialize) -> Result<String> {
+    let text = serde_json::to_string_pretty(object)? + "\n";
+    // Such a character stands in a string, as those between the values are blanks and line ends.
+    let escape = |c: char| match c {
+        '\n' => c.to_string(),
+        _ if printable(c.encode_utf8(&mut [0; 4])).len() == c.len_utf8() => c.to_string(),
+        _ => c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect(),
+    };
+    Ok(text.chars().map(escape).collect())
 }
 
 /// The model's file name with another ending, in the current directory; `model` for the standard

@@ -10,6 +10,8 @@ use host_tools::{
 };
 use serde::Serialize;
 
+use super::smoothing::Smoothing;
+
 /// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
 
@@ -118,15 +120,8 @@ pub(super) struct ViewOptions {
         allow_negative_numbers = true
     )]
     roll: f64,
-    /// Up to this angle between two faces, a computed normal is smooth across their edge
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = Options::default().crease_degrees,
-        value_parser = within(0.0, 180.0),
-        allow_negative_numbers = true
-    )]
-    crease: f64,
+    #[command(flatten)]
+    smoothing: Smoothing,
     /// Turn over faces that run against their neighbours, and closed parts that are inside out
     #[arg(long)]
     fix_winding: bool,
@@ -164,7 +159,7 @@ impl ViewOptions {
 
     /// The conversion of the model for it.
     pub(super) fn conversion(&self) -> Options {
-        Options { crease_degrees: self.crease, fix_winding: self.fix_winding, ..Options::default() }
+        Options { fix_winding: self.fix_winding, ..self.smoothing.options() }
     }
 }
 
@@ -302,7 +297,9 @@ mod tests {
             shading: Shading::Flat,
         };
         assert_eq!(options.view(), expected);
-        assert_eq!((options.conversion().crease_degrees, options.frames), (10.0, 5));
+        let conversion = options.conversion();
+        assert_eq!((conversion.crease_degrees, options.frames), (10.0, 5));
+        assert!(!conversion.smoothing_groups, "the angle goes before the file's groups");
     }
 
     #[test]

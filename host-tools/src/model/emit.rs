@@ -10,7 +10,7 @@ use std::fmt::{Display, Write as _};
 use rasterizer::mesh::Material;
 
 use super::{
-    Indices, Model, Options,
+    Indices, Model,
     report::{grouped, thousands},
 };
 
@@ -34,7 +34,7 @@ fn header(out: &mut String, model: &Model) -> std::fmt::Result {
         let (name, bytes) = (in_comment(&file.file_name), thousands(file.bytes));
         writeln!(out, "// From {name}: {bytes} bytes, FNV-1a {:016x}", file.hash)?;
     }
-    writeln!(out, "// With {}", options(&model.options))?;
+    writeln!(out, "// With {}", options(model))?;
     writeln!(out, "//")?;
     for line in model.report.to_string().lines() {
         writeln!(out, "// {line}")?;
@@ -43,7 +43,8 @@ fn header(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "// To leave out a table that no shader uses, convert again with fewer contents.")
 }
 
-fn options(options: &Options) -> String {
+fn options(model: &Model) -> String {
+    let options = &model.options;
     let contents = options.contents;
     let tables: Vec<&str> = [
         (contents.vertex_normals, "vertex normals"),
@@ -56,10 +57,9 @@ fn options(options: &Options) -> String {
     let tables = if tables.is_empty() { "none".to_owned() } else { tables.join(", ") };
     let winding = if options.fix_winding { "winding mended, " } else { "" };
     let fit = options.fit;
-    format!(
-        "{fit}, a crease angle of {} degrees, {winding}contents: {tables}",
-        options.crease_degrees
-    )
+    let groups = if model.report.smoothing_groups { "smoothing groups, " } else { "" };
+    let crease = options.crease_degrees;
+    format!("{fit}, {groups}a crease angle of {crease} degrees, {winding}contents: {tables}")
 }
 
 fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
@@ -155,18 +155,23 @@ fn table(
 }
 
 fn row<T: Display + Copy + Into<i32>, const N: usize>(numbers: &[T; N]) -> String {
-    let texts: Vec<String> = numbers.iter().map(|&n| number(n.into())).collect();
-    format!("[{}]", texts.join(", "))
+    let mut text = "[".to_owned();
+    for (place, &n) in numbers.iter().enumerate() {
+        text += if place > 0 { ", " } else { "" };
+        push_number(&mut text, n.into());
+    }
+    text + "]"
 }
 
 /// Numbers of more than five digits are grouped, as `clippy::unreadable_literal` wants them.
-fn number(number: i32) -> String {
+fn push_number(text: &mut String, number: i32) {
     let magnitude = number.unsigned_abs() as usize;
-    let sign = if number < 0 { "-" } else { "" };
     if magnitude < 100_000 {
-        format!("{sign}{magnitude}")
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{number}");
     } else {
-        format!("{sign}{}", grouped(magnitude, '_'))
+        *text += if number < 0 { "-" } else { "" };
+        *text += &grouped(magnitude, '_');
     }
 }
 

@@ -7,27 +7,35 @@
 //! values before rounding.
 //!
 //! The converter reads positions, normals, texture coordinates, faces and diffuse colours of an OBJ
-//! file. It ignores points, lines, curves, smoothing groups, vertex colours and the names of
-//! textures.
+//! file, and its smoothing groups where it has no normals. What else a file shows and the tables
+//! cannot hold, such as lines, curves, vertex colours, textures and transparency, it leaves out
+//! with a warning for each kind.
 
 mod cap;
 mod ears;
 pub mod emit;
 mod error;
 mod fit;
+mod flattening;
+mod ignored;
+mod libraries;
+mod library_path;
 mod mtl;
 mod normals;
 mod order;
 mod polygons;
 mod quantize;
+mod quote;
 mod report;
 mod slivers;
+mod smoothing;
 mod source;
 #[cfg(test)]
 mod tests;
 mod triangulate;
 mod validate;
 mod vector;
+mod warnings;
 mod weld;
 mod winding;
 mod write;
@@ -43,9 +51,11 @@ use rasterizer::{
 };
 
 pub use error::{LineFault, ModelError};
+pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
 
+use smoothing::Smoothing;
 use triangulate::Triangle;
 use vector::{Vector, length, sub};
 use weld::Welded;
@@ -61,6 +71,10 @@ pub struct Options {
     /// Whether faces that run against their neighbours, and closed parts that are inside out, are
     /// turned over. Without it they are only told.
     pub fix_winding: bool,
+    /// Whether computed normals follow the file's smoothing groups (`s 1`, `s off`) in place of the
+    /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
+    /// follow the crease angle.
+    pub smoothing_groups: bool,
     /// Which tables to make.
     pub contents: Contents,
     /// The name of the static; `None` for that of the file.
@@ -68,13 +82,14 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Unit fit, a crease angle of 60 degrees, winding as it is, the default contents, the name of
-    /// the file.
+    /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, the default
+    /// contents, the name of the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
             fix_winding: false,
+            smoothing_groups: true,
             contents: Contents::default(),
             name: None,
         }
@@ -249,8 +264,9 @@ impl Model {
         if bytes.is_empty() {
             return Err(ModelError::Empty { path: path.into() });
         }
-        let mut checked = validate::check(path, &source::statements(source::text(path, bytes)?))?;
-        let mut libraries = mtl::load(path, &checked);
+        let statements = source::statements(source::text(path, bytes)?);
+        let mut checked = validate::check(path, &statements, options.contents)?;
+        let mut libraries = libraries::load(path, &checked, options.contents);
         let mut polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 
@@ -264,12 +280,18 @@ impl Model {
         }
         checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
+        // The largest of what is no longer needed: of a million triangles 200 MB.
+        polygons.corners = Vec::new();
+        checked.text = String::new();
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
         let materials = sort_by_material(&mut corners, &polygons.colors);
+        if !options.smoothing_groups {
+            corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
+        }
         let normals = if options.contents.vertex_normals {
-            normals::corner_normals(&corners, &shape, degrees.to_radians())
+            smoothing::corner_normals(&corners, &shape, degrees.to_radians())
         } else {
             Vec::new()
         };
@@ -280,10 +302,18 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let shape = at(&shape);
-        let fitted = fit::fit(path, &at(&polygons.positions), &shape, options.fit)?;
+        let (shape, original) = (at(&shape), at(&polygons.positions));
+        let fitted = fit::fit(path, &original, &shape, options.fit)?;
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
+        let rounding = flattening::Rounding {
+            written: &polygons.positions,
+            original: &original,
+            shape: &shape,
+            rounded: &positions,
+        };
+        let triangles = &tables.welded.triangles;
+        checked.warnings.extend(flattening::warning(path, &statements, triangles, rounding));
         let exact =
             exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?;
         let (texture_coordinates, texture_fraction_bits) =
@@ -292,7 +322,7 @@ impl Model {
             checked.warnings.push(format!(
                 "{}: texture coordinates range so far that their steps are 1/{} of a texture: \
                  move its islands together",
-                path.display(),
+                quote::shown(path),
                 1 << texture_fraction_bits
             ));
         }
@@ -300,7 +330,7 @@ impl Model {
         if options.contents.texture_coordinates && some_without {
             checked.warnings.push(format!(
                 "{}: {} of {} face corners have no texture coordinates and get (0, 0)",
-                path.display(),
+                quote::shown(path),
                 checked.corners - checked.textured_corners,
                 checked.corners
             ));
@@ -328,6 +358,7 @@ impl Model {
                 triangles: tables.welded.triangles.len(),
                 dropped_triangles,
                 turned_faces: if options.fix_winding { winding.turned() } else { 0 },
+                smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()

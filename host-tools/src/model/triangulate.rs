@@ -2,9 +2,10 @@
 
 use super::{
     ears::{EarClipper, Point},
-    polygons::{Corner, Polygons},
+    polygons::{Corner, Face, Polygons},
     slivers,
-    vector::{Vector, add, cross, length, sub},
+    smoothing::Smoothing,
+    vector::{Vector, add, cross, largest, length, sub},
 };
 
 /// A triangle, counter-clockwise when seen from its front.
@@ -14,6 +15,8 @@ pub(super) struct Triangle {
     pub corners: [Corner; 3],
     /// Its material.
     pub material: usize,
+    /// Its smoothing group.
+    pub smoothing: Smoothing,
 }
 
 /// Cuts all polygons into triangles, also concave ones, and drops what has no area. Also returns
@@ -28,11 +31,11 @@ pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Tri
     let mut triangles = Vec::new();
     let mut whole = 0;
     let mut start = 0;
-    for &(arity, material) in &polygons.faces {
+    for &Face { arity, material, smoothing } in &polygons.faces {
         let corners = &polygons.corners[start..start + arity];
         start += arity;
         whole += arity - 2;
-        let to_triangle = |corners| Triangle { corners, material };
+        let to_triangle = |corners| Triangle { corners, material, smoothing };
         if let &[a, b, c] = corners {
             if has_area([a, b, c].map(|c| positions[c.position as usize])) {
                 triangles.push(to_triangle([a, b, c]));
@@ -214,16 +217,18 @@ fn newell_normal(ring: &[Vector]) -> Vector {
     (1..ring.len()).fold([0.0; 3], |sum, i| add(sum, cross(relative(i), relative(i + 1))))
 }
 
-/// Whether a triangle has an area beyond the rounding of its coordinates, all at most 2.
+/// Whether a triangle has an area beyond the rounding of its coordinates.
 ///
-/// A coordinate c has an error of up to c * epsilon / 2. So each coordinate of an edge has one of 2
-/// epsilon, and the cross product of two edges one of about 8 epsilon times the longest edge. Three
-/// points on a slanted line, written in decimals, have no more area than that: their normal is
-/// noise.
+/// A coordinate c has an error of up to c * epsilon / 2. So each coordinate of an edge has one of
+/// c * epsilon, and the cross product of two edges one of about 4 c * epsilon times the longest
+/// edge. Three points on a slanted line, written in decimals, have no more area than that: their
+/// normal is noise.
 pub(super) fn has_area([a, b, c]: [Vector; 3]) -> bool {
-    let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)];
+    // In units of the largest coordinate, no product leaves the range of f64.
+    let coordinate = largest(a).max(largest(b)).max(largest(c));
+    let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)].map(|edge| edge.map(|x| x / coordinate));
     let longest = length(ab).max(length(bc)).max(length(ca));
-    length(cross(ab, bc)) > 8.0 * f64::EPSILON * longest
+    length(cross(ab, bc)) > 4.0 * f64::EPSILON * longest
 }
 
 #[cfg(test)]
@@ -236,7 +241,7 @@ mod tests {
             corners: (0..ring.len() as u32)
                 .map(|position| Corner { position, normal: [0.0; 3], texture: [0.0; 2] })
                 .collect(),
-            faces: vec![(ring.len(), 0)],
+            faces: vec![Face { arity: ring.len(), material: 0, smoothing: Smoothing::Unstated }],
             colors: vec![[0; 3]],
         }
     }

@@ -45,12 +45,15 @@ pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Co
 
 #[cfg(test)]
 mod tests {
-    use super::{super::polygons::Corner, *};
+    use super::{
+        super::{polygons::Corner, smoothing::Smoothing},
+        *,
+    };
 
     #[test]
     fn corners_split_only_where_a_kept_value_differs() {
         let corner = |position, u| Corner { position, normal: [0.0; 3], texture: [u, 0.0] };
-        let triangle = |corners| Triangle { corners, material: 0 };
+        let triangle = |corners| Triangle { corners, material: 0, smoothing: Smoothing::Unstated };
         let triangles = [
             triangle([corner(7, 0.0), corner(8, 0.0), corner(9, 0.0)]),
             triangle([corner(7, -0.0), corner(9, 0.0), corner(8, 0.5)]),

@@ -107,8 +107,8 @@ pub(super) fn judge(polygons: &Polygons, positions: &[Vector]) -> Winding {
 
 /// Where the corners of each face begin, and where the last one's end.
 fn starts(polygons: &Polygons) -> Vec<usize> {
-    let ends = polygons.faces.iter().scan(0, |end, &(arity, _)| {
-        *end += arity;
+    let ends = polygons.faces.iter().scan(0, |end, face| {
+        *end += face.arity;
         Some(*end)
     });
     std::iter::once(0).chain(ends).collect()

@@ -3,7 +3,8 @@
 use std::collections::{HashMap, HashSet};
 
 use super::super::{
-    polygons::{Corner, Polygons},
+    polygons::{Corner, Face, Polygons},
+    smoothing::Smoothing,
     triangulate::{Triangle, triangulate},
     vector::{Vector, add, cross, dot, length, normalized, scaled, sub},
 };
@@ -20,7 +21,7 @@ fn polygon(ring: &[Vector]) -> Polygons {
         }) as u32;
         polygons.corners.push(Corner { position, normal: [0.0; 3], texture: [0.0; 2] });
     }
-    polygons.faces.push((ring.len(), 0));
+    polygons.faces.push(Face { arity: ring.len(), material: 0, smoothing: Smoothing::Unstated });
     polygons.colors.push([0; 3]);
     polygons
 }
