@@ -115,8 +115,8 @@ pub fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens:
             rows.map(|(row, origin)| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + origin);
         let w = if lens.is_perspective { z } else { 1.0 };
         let subpixel = 1.0 / f64::from(1 << S::BITS);
-        // Whether it lies on one side of all planes by more than an eighth of a sub-pixel, and 2^-20
-        // of its distance, or in a parallel projection 2^-27 of the farthest.
+        // Whether it lies on one side of all planes by more than an eighth of a sub-pixel, and
+        // 2^-20 of its distance, or in a parallel projection 2^-27 of the farthest.
         let farthest = lens.far.max(reach);
         let is_certain = |margin: f64| {
             let across = margin * subpixel / 8.0 / GUARD;

@@ -21,7 +21,7 @@ use rasterizer_tests::{
 
 const HEIGHT: u32 = 240;
 
-/// An object two units wide in so many quanta, seen by a lens.
+/// An object two units wide, of a number of quanta, seen by a lens.
 struct Case {
     name: String,
     quanta: i16,
@@ -74,7 +74,7 @@ fn worst<S: Subpixel>(case: &Case) -> Option<f64> {
         let eye: [f64; 3] =
             [0, 1, 2].map(|i| (0..3).map(|k| rows[i][k] * at[k]).sum::<f64>() + back[i] * away);
         let bits = |v: [f64; 3]| Vec3::from_bits(v.map(|c| (c * 65_536.0).round() as i32));
-        // Points at these depths on the screen: near the point, as far as the screen reaches.
+        // Points at these depths on the screen: near the point, within what the screen shows.
         let mut positions = vec![target];
         let reach = most.min(2.0) / quantum;
         for _ in 0..200 {

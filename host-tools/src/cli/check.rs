@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{self, Bounds, Checked, Outcome, View},
+    check::{Bounds, Checked, Checker, Outcome, View},
     model::Model,
 };
 use serde::Serialize;
@@ -30,7 +30,16 @@ Examples:
   host-tools check model.obj --frames 60 --depth u32
   host-tools check model.obj --json | jq .arithmetic
 
-Exit status: 0 if the arithmetic keeps its bounds, 1 if not, 2 for bad usage or bad input.";
+What is judged:
+  Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
+                against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic.
+  End to end    Against the faces of the file, which the reference cuts into triangles by itself.
+                Each vertex may be off by half a quantum more. Each pixel that lies farther than
+                that from every edge must be covered, or free, and show the right face; so must be
+                covered those where faces meet.
+
+Exit status: 0 if all bounds are kept, also if the view shows nothing; 1 if not; 2 for bad usage or
+bad input.";
 
 /// Compare the fixed-point picture of a model with an f64 reference
 #[derive(Debug, Args)]
@@ -109,6 +118,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let model = convert::load(path, &arguments.view.conversion())?;
     let view = arguments.view.view();
     let worst = worst_frame(path, &model, &view, frames)?;
+    if !worst.checked.outcome.shows_something() {
+        output::complain("warning", &render::nothing_seen(path));
+    }
     let directory = (arguments.pictures.clone()).unwrap_or_else(|| default_directory(path));
     fs::create_dir_all(&directory).map_err(|error| {
         anyhow!("{}: {error}: name another directory for the pictures", directory.display())
@@ -147,7 +159,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             writeln!(text, "The worst of {frames} frames: frame {}", worst.frame)?;
         }
         writeln!(text, "\n{}", table::comparisons(&outcome, &Bounds::ARITHMETIC))?;
-        writeln!(text, "{}\n", table::meaning(&outcome, &Bounds::ARITHMETIC))?;
+        writeln!(text, "{}\n", table::meaning(&model, &outcome, &Bounds::ARITHMETIC))?;
         writeln!(text, "Fixed point  {}", pictures.fixed.display())?;
         writeln!(text, "Reference    {}", pictures.reference.display())?;
         writeln!(text, "Difference   {}", pictures.difference.display())?;
@@ -160,26 +172,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
 /// does.
 pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) -> Result<Worst> {
     let progress = Progress::over(frames, "checking");
+    let checker = Checker::new(model);
     let mut worst: Option<Worst> = None;
     for frame in 0..frames {
-        let checked = check::check(model, &view.turned(frame, frames))
+        let checked = checker
+            .check(&view.turned(frame, frames))
             .map_err(|error| render::refused(path, &error))?;
         let is_worse = |worst: &Worst| checked.outcome.badness() > worst.checked.outcome.badness();
-        if shows_something(&checked.outcome) && worst.as_ref().is_none_or(is_worse) {
+        if worst.as_ref().is_none_or(is_worse) {
             worst = Some(Worst { frame, checked });
         }
         progress.step();
     }
     drop(progress);
-    // Without a pixel there is nothing to check.
-    worst.with_context(|| render::nothing_seen(path))
-}
-
-/// Whether one of the pictures covers a pixel.
-const fn shows_something(outcome: &Outcome) -> bool {
-    let Outcome { arithmetic, end_to_end } = outcome;
-    let [arithmetic, end_to_end] = [arithmetic.deviation, end_to_end.deviation];
-    arithmetic.pixels + arithmetic.coverage_mismatches + end_to_end.coverage_mismatches > 0
+    worst.context("there is no frame to check")
 }
 
 /// Writes the three pictures of a frame, which [`Pictures::allow`] allows.

@@ -90,7 +90,7 @@ More: host-tools --help
         difference = pictures.difference.display(),
         legend = table::legend(&legend),
         comparisons = table::comparisons(&outcome, &bounds),
-        meaning = table::meaning(&outcome, &bounds),
+        meaning = table::meaning(&model, &outcome, &bounds),
     );
     Ok(Done { output: text.into(), is_within_bounds: outcome.is_within(&bounds) })
 }

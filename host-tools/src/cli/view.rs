@@ -16,7 +16,6 @@ use super::smoothing::Smoothing;
 const MAX_SIZE: u32 = 2048;
 
 const SUBPIXELS: [(&str, Subpixel); 2] = [("4", Subpixel::S4), ("8", Subpixel::S8)];
-const DEPTHS: [(&str, DepthFormat); 2] = [("u16", DepthFormat::U16), ("u32", DepthFormat::U32)];
 
 /// The view: from a point on the z axis toward the origin, about which the model is turned.
 #[derive(Clone, Debug, Args)]
@@ -37,8 +36,8 @@ pub(super) struct ViewOptions {
     #[arg(
         long,
         value_name = "FORMAT",
-        default_value = name(&DEPTHS, View::default().depth),
-        value_parser = choice(&DEPTHS)
+        default_value = name(&DepthFormat::NAMES, View::default().depth),
+        value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
     /// How triangles are coloured
@@ -194,7 +193,7 @@ impl Settings {
         Self {
             size: view.size,
             subpixel: view.subpixel.bits(),
-            depth: name(&DEPTHS, view.depth),
+            depth: name(&DepthFormat::NAMES, view.depth),
             shading: name(&Shading::NAMES, view.shading),
             distance: view.distance,
             fov,

@@ -46,10 +46,10 @@ pub(super) fn warning(
     let vertex = if is_cause { vertex } else { original[first[0] as usize] };
     let line = line_of(statements, vertex).map_or(String::new(), |line| format!(":{line}"));
     let reason = if is_cause {
+        let times = if times < 1e6 { thousands(times as usize) } else { format!("{times:.0e}") };
         format!(
-            "vertex {vertex:?} lies {} times as far out as half of the others, so the steps of \
-             positions are coarse: move or remove it",
-            thousands(times as usize)
+            "vertex {vertex:?} lies {times} times as far out as half of the others, so the steps \
+             of positions are coarse: move or remove it"
         )
     } else {
         format!(

@@ -15,6 +15,7 @@ mod cap;
 mod ears;
 pub mod emit;
 mod error;
+mod faces;
 mod fit;
 mod flattening;
 mod ignored;
@@ -51,6 +52,7 @@ use rasterizer::{
 };
 
 pub use error::{LineFault, ModelError};
+pub use faces::{Face, Faces};
 pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
@@ -210,6 +212,8 @@ pub struct Exact {
     pub face_normals: Vec<[f64; 3]>,
     /// Texture coordinates in repeats of the texture, v running down, none of them negative.
     pub texture_coordinates: Vec<[f64; 2]>,
+    /// The faces of the file, not yet cut into triangles.
+    pub faces: Faces,
 }
 
 /// A file that a model is made from.
@@ -302,8 +306,10 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let (shape, original) = (at(&shape), at(&polygons.positions));
+        let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
+        let lines = &checked.face_lines;
+        let faces = Faces::new(&polygons, &whole, &fitted, lines, &tables.welded.positions);
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
         let rounding = flattening::Rounding {
@@ -314,8 +320,10 @@ impl Model {
         };
         let triangles = &tables.welded.triangles;
         checked.warnings.extend(flattening::warning(path, &statements, triangles, rounding));
-        let exact =
-            exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?;
+        let exact = Exact {
+            faces,
+            ..exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?
+        };
         let (texture_coordinates, texture_fraction_bits) =
             quantize::textures(path, &exact.texture_coordinates)?;
         if texture_fraction_bits < 8 {
@@ -509,5 +517,6 @@ fn exact(
         } else {
             Vec::new()
         },
+        ..Exact::default()
     })
 }

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 /// Escapes the characters that would act on a terminal or that would not be seen: control
-/// characters, and Unicode's marks of direction and zero width. ESC becomes `\u{1b}`.
+/// characters, and Unicode's hard blank and marks of direction and zero width. ESC becomes
+/// `\u{1b}`.
 #[must_use]
 pub fn printable(text: &str) -> String {
     let mut result = String::with_capacity(text.len());
@@ -11,7 +12,8 @@ pub fn printable(text: &str) -> String {
         let is_unseen = c.is_control()
             || matches!(
                 c,
-                '\u{ad}'
+                '\u{a0}'
+                    | '\u{ad}'
                     | '\u{61c}'
                     | '\u{200b}'..='\u{200f}'
                     | '\u{2028}'..='\u{202e}'
@@ -53,6 +55,7 @@ mod tests {
         let plain = "C:\\a \"b\" 'c' é e\u{301} 模型 …\u{FFFD}";
         assert_eq!(printable(plain), plain);
         assert_eq!(printable("\u{1b}[2J\r\n"), "\\u{1b}[2J\\u{d}\\u{a}");
+        assert_eq!(printable("1\u{a0}0"), "1\\u{a0}0");
         assert_eq!(printable("\u{9b}A\u{202e}\u{7f}"), "\\u{9b}A\\u{202e}\\u{7f}");
     }
 

@@ -42,6 +42,8 @@ pub(super) struct Checked {
     pub vertices: usize,
     /// The number of faces.
     pub faces: usize,
+    /// The line of each face.
+    pub face_lines: Vec<usize>,
     /// The number of face corners.
     pub corners: usize,
     /// How many of the corners have texture coordinates.
@@ -104,6 +106,7 @@ pub(super) fn check(
                 faces.push('\n');
                 checked.smoothing.push(smoothing);
                 checked.faces += 1;
+                checked.face_lines.push(statement.line);
             }
             b"s" => smoothing = Smoothing::of(statement).unwrap_or(smoothing),
             b"mtllib" => checked.libraries.push((statement.line, statement.name().into())),

@@ -144,12 +144,12 @@ impl Rotation {
         sum
     }
 
-    /// The rotation that applies `first` and then this one, like the product, and orthonormal within
-    /// 2<sup>-26</sup> even after a million compositions.
+    /// The rotation that applies `first` and then this one, like the product, and orthonormal
+    /// within 2<sup>-26</sup> even after a million compositions.
     ///
     /// Rounding turns the result by up to 2<sup>-29</sup> radians each time, in any direction: a
-    /// million equal steps end 10<sup>-3</sup> radians off at most, and 2 x 10<sup>-4</sup> in tests.
-    /// To come back to where it was, a motion computes its angle anew for each frame.
+    /// million equal steps end 10<sup>-3</sup> radians off at most, and 2 x 10<sup>-4</sup> in
+    /// tests. To come back to where it was, a motion computes its angle anew for each frame.
     #[must_use]
     pub fn compose(self, first: Self) -> Self {
         (self * first).orthonormalized()

@@ -72,8 +72,8 @@ impl Turn {
     }
 }
 
-/// The cotangent of half an angle over 0 and under half a turn, within 2<sup>-27</sup> of its value,
-/// which the sine and the cosine of a small angle, rounded to Q30, do not have.
+/// The cotangent of half an angle over 0 and under half a turn, within 2<sup>-27</sup> of its
+/// value, which the sine and the cosine of a small angle, rounded to Q30, do not have.
 pub(crate) const fn cotangent_of_half(angle: Turn) -> Float {
     // In quarter turns, in Q31: both legs are as exact relative to their own size.
     let (opposite, adjacent) = (angle.0, (1 << 31) - angle.0);
