@@ -152,6 +152,28 @@ fn warnings_go_to_the_standard_error() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn control_characters_do_not_reach_the_terminal() {
+    let is_plain = |text: &str| !text.chars().any(|c| c.is_control() && c != '\n');
+    let name = "a\u{1b}[2J\u{9b}\u{7f}.obj";
+    let directory = directory_with(name, &format!("mtllib \u{1b}\u{9b}.mtl\n\u{7}\n{CUBE}"));
+    fs::write(directory.path().join("b.obj"), "v \u{1b}[31m 0 0\n").unwrap();
+    for line in ["convert", "convert --json", "render", "check", "check --json"] {
+        for (model, status) in [(name, 0), ("b.obj", 2), ("\u{1b}c.obj", 2)] {
+            let words = line.split(' ');
+            let output = program(directory.path()).args(words).arg(model).output().unwrap();
+            let (told, complaint) = (text(&output.stdout), text(&output.stderr));
+            assert_eq!(output.status.code(), Some(status), "{line} {model}: {complaint}");
+            assert!(is_plain(told) && is_plain(complaint), "{line} {model}: {told}{complaint}");
+            if line.contains("--json") && status == 0 {
+                let json: Value = serde_json::from_str(told).unwrap();
+                assert_eq!(json["model"], name);
+            }
+        }
+    }
+}
+
+#[test]
 fn render_draws_the_model_on_the_background() {
     let directory = directory_with("a.obj", CUBE);
     let path = directory.path();

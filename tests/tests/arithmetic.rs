@@ -19,6 +19,8 @@ fn sweep(path: &std::path::Path) {
         (Subpixel::S8, DepthFormat::U32, Shading::Gouraud),
         (Subpixel::S8, DepthFormat::U16, Shading::Flat),
         (Subpixel::S4, DepthFormat::U32, Shading::Unlit),
+        (Subpixel::S4, DepthFormat::Float16, Shading::Flat),
+        (Subpixel::S8, DepthFormat::Float16, Shading::Gouraud),
     ];
     let mut covered = 0;
     for size in [[64, 64], [320, 240], [640, 480], [1, 1], [2047, 3]] {
@@ -28,8 +30,8 @@ fn sweep(path: &std::path::Path) {
                     size,
                     distance,
                     near: 0.02,
-                    yaw_degrees: 77.0 * turn as f64 + 5.0,
-                    pitch_degrees: 31.0 * turn as f64,
+                    yaw_degrees: 77.0 * (turn % 4) as f64 + 5.0,
+                    pitch_degrees: 31.0 * (turn % 4) as f64,
                     subpixel,
                     depth,
                     shading,

@@ -1,7 +1,7 @@
 //! Differences, in numbers.
 
 use super::{FixedPicture, Places};
-use crate::reference::Picture;
+use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,17 +178,15 @@ pub enum Difference {
     },
 }
 
-/// Compares the pixel (x, y) with a reference whose depth of 1 stands for `unit` units of the
-/// stored format. That stores depths from 1 to `depth_max`.
+/// Compares the pixel (x, y) with a reference whose depth is from 0 to 1.
 ///
 /// Layers within one unit of depth of the nearest are equal in the stored format, so each of them
 /// is right: the pixel is compared with the one whose colour is closest.
 pub(super) fn difference(
     fixed: &FixedPicture,
     [x, y]: [usize; 2],
-    depth_max: f64,
+    depth: DepthFormat,
     reference: &Picture,
-    unit: f64,
 ) -> Difference {
     let pixel = fixed.pixels[y * reference.width() + x];
     let is_covered = pixel.depth != 0;
@@ -198,13 +196,15 @@ pub(super) fn difference(
     if !is_covered {
         return Difference::OnlyReference { color: nearest.color };
     }
+    let front = depth.units(nearest.depth);
     let (color_error, depth_error, color) = reference
         .fragments(x, y)
         .iter()
-        .filter(|fragment| (nearest.depth - fragment.depth) * unit <= 1.0)
-        .map(|fragment| {
+        .map(|fragment| (depth.units(fragment.depth), fragment))
+        .filter(|(units, _)| front - units <= 1.0)
+        .map(|(units, fragment)| {
             // Both as the formats store them.
-            let stored = (fragment.depth * unit).round().clamp(1.0, depth_max);
+            let stored = depth.stored(units);
             let channel = |i: usize| (f64::from(pixel.color[i]) - fragment.color[i].round()).abs();
             let color_error = channel(0).max(channel(1)).max(channel(2));
             (color_error, (f64::from(pixel.depth) - stored).abs(), fragment.color)
@@ -215,12 +215,7 @@ pub(super) fn difference(
 }
 
 /// Compares a picture with a reference; see [`difference`].
-pub(super) fn compare(
-    fixed: &FixedPicture,
-    reference: &Picture,
-    depth_max: f64,
-    unit: f64,
-) -> Deviation {
+pub(super) fn compare(fixed: &FixedPicture, reference: &Picture, depth: DepthFormat) -> Deviation {
     let [width, height] = fixed.size.map(|c| c as usize);
     let (mut pixels, mut coverage_mismatches, mut both) = (0, 0, 0);
     let (mut depth_max_ulp, mut color_max_error) = (0f64, 0f64);
@@ -229,7 +224,7 @@ pub(super) fn compare(
         for x in 0..width {
             let pixel = fixed.pixels[y * width + x];
             pixels += usize::from(pixel.depth != 0);
-            match difference(fixed, [x, y], depth_max, reference, unit) {
+            match difference(fixed, [x, y], depth, reference) {
                 Difference::Background => {}
                 Difference::OnlyFixed => {
                     coverage_mismatches += 1;

@@ -5,18 +5,19 @@ use std::time::{Duration, Instant};
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
+    attribute::FloatDepth,
     camera::Camera,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
-    output::StoredDepth,
     scene::Object,
     shade::{OnScreen, Shader},
 };
 
 use super::{
+    DefinedDepth, DepthFormat,
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
-    view::{DepthFormat, Projection, Subpixel, View, ViewError},
+    view::{Projection, Subpixel, View, ViewError},
 };
 use crate::{
     model::Model,
@@ -31,7 +32,7 @@ pub(super) struct Drawn<'a> {
     pub(super) vertices: Vec<Option<[f64; 2]>>,
     /// How long the core takes for vertices and triangles.
     pub(super) time: Duration,
-    /// Draws the reference on the core's own vertices, with depth in units of the stored format.
+    /// Draws the reference on the core's own vertices, with depth from 0 to 1.
     pub(super) arithmetic: Box<dyn FnOnce() -> Picture + 'a>,
     /// Draws the reference from the faces of the OBJ file, with depth from 0 to 1.
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
@@ -94,11 +95,17 @@ fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color = Rgb888>
         (Subpixel::S4, DepthFormat::U16) => {
             by_format::<N, S4, u16, _, _>(model, view, camera, shader, placed)
         }
+        (Subpixel::S4, DepthFormat::Float16) => {
+            by_format::<N, S4, FloatDepth, _, _>(model, view, camera, shader, placed)
+        }
         (Subpixel::S4, DepthFormat::U32) => {
             by_format::<N, S4, u32, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U16) => {
             by_format::<N, S8, u16, _, _>(model, view, camera, shader, placed)
+        }
+        (Subpixel::S8, DepthFormat::Float16) => {
+            by_format::<N, S8, FloatDepth, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U32) => {
             by_format::<N, S8, u32, _, _>(model, view, camera, shader, placed)
@@ -115,7 +122,7 @@ fn by_format<const N: usize, S, D, P, Sh>(
 ) -> Result<Placed<N>, ViewError>
 where
     S: numbers::Subpixel,
-    D: StoredDepth + Into<u32>,
+    D: DefinedDepth,
     P: geometry::Projection,
     Sh: Shader<Color = Rgb888>,
 {
@@ -127,7 +134,7 @@ where
     let projecting = start.elapsed();
     let (picture, drawing) = object::draw(&projected, view.area())?;
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-        (f64::from(corner.depth().into()), placed(triangle, corner.varyings()))
+        (corner.depth().depth(), placed(triangle, corner.varyings()))
     });
     let vertices =
         projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();

@@ -19,6 +19,7 @@
 //! the core, with any shader, against a definition of that shader.
 
 mod compare;
+mod depth;
 mod fixed;
 mod object;
 mod placement;
@@ -32,10 +33,11 @@ mod view;
 use std::time::{Duration, Instant};
 
 pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome, VertexError, Vertices};
+pub use depth::{DefinedDepth, DepthFormat};
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use shading::Shading;
-pub use view::{DepthFormat, Projection, Subpixel, View, ViewError};
+pub use view::{Projection, Subpixel, View, ViewError};
 
 use crate::{model::Model, reference};
 use placement::Placement;
@@ -68,7 +70,7 @@ impl Checked {
     /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn arithmetic_difference(&self, x: usize, y: usize) -> Difference {
-        compare::difference(&self.fixed, [x, y], self.depth.max(), &self.arithmetic, 1.0)
+        compare::difference(&self.fixed, [x, y], self.depth.definition(), &self.arithmetic)
     }
 
     /// How the pixel differs from the reference from the OBJ file's numbers.
@@ -78,8 +80,7 @@ impl Checked {
     /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn end_to_end_difference(&self, x: usize, y: usize) -> Difference {
-        let max = self.depth.max();
-        compare::difference(&self.fixed, [x, y], max, &self.end_to_end, max)
+        compare::difference(&self.fixed, [x, y], self.depth.definition(), &self.end_to_end)
     }
 }
 
@@ -109,7 +110,7 @@ impl<'a> Checker<'a> {
         let (arithmetic, arithmetic_time) = timed(drawn.arithmetic);
         let (end_to_end, end_to_end_time) = timed(drawn.end_to_end);
 
-        let (fixed, depth_max) = (drawn.picture, view.depth.max());
+        let (fixed, depth) = (drawn.picture, view.depth.definition());
         let rounded = view.rounded();
         let placement = Placement::new(model, &rounded);
         let camera = rounded.reference_camera();
@@ -118,8 +119,8 @@ impl<'a> Checker<'a> {
                 (placement.place(p), bound(p))
             })
         };
-        let comparison = |reference, unit, vertices, time| Comparison {
-            deviation: compare::compare(&fixed, reference, depth_max, unit),
+        let comparison = |reference, vertices, time| Comparison {
+            deviation: compare::compare(&fixed, reference, depth),
             vertices,
             fixed_ms: milliseconds(drawn.time),
             reference_ms: milliseconds(time),
@@ -139,8 +140,8 @@ impl<'a> Checker<'a> {
         };
         let (places, wrong) = judge.judge(&fixed);
         let outcome = Outcome {
-            arithmetic: comparison(&arithmetic, 1.0, quantised, arithmetic_time),
-            end_to_end: comparison(&end_to_end, depth_max, exact, end_to_end_time),
+            arithmetic: comparison(&arithmetic, quantised, arithmetic_time),
+            end_to_end: comparison(&end_to_end, exact, end_to_end_time),
             places,
         };
         Ok(Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth })

@@ -74,7 +74,7 @@ impl Placement {
             camera: view.reference_camera(),
             quantum: [0, 1, 2].map(|i| row(i) * quantum / 2.0 + reach * TURNING),
             subpixel: 0.5f64.powi(view.subpixel.bits() as i32),
-            depth_unit: 1.0 / view.depth.max(),
+            depth_unit: view.depth.definition().largest_unit(),
         }
     }
 

@@ -140,7 +140,7 @@ impl Judge<'_> {
         else {
             return Some(Fault::Extra);
         };
-        let depth = f64::from(pixel.depth) / self.view.depth.max();
+        let depth = self.view.depth.definition().depth(pixel.depth);
         let mut fault = Fault::Surface;
         for (face, exact, bound) in fragments {
             if exact + bound >= nearest && (exact - depth).abs() <= bound {

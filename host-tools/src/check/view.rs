@@ -13,7 +13,7 @@ use rasterizer::{
     shade::{Level, Light},
 };
 
-use super::Shading;
+use super::{DepthFormat, Shading};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -33,27 +33,6 @@ impl Subpixel {
         match self {
             Self::S4 => 4,
             Self::S8 => 8,
-        }
-    }
-}
-
-/// How depth is stored.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum DepthFormat {
-    /// 16 bits.
-    #[default]
-    U16,
-    /// 32 bits.
-    U32,
-}
-
-impl DepthFormat {
-    /// The stored value of the near plane.
-    #[must_use]
-    pub const fn max(self) -> f64 {
-        match self {
-            Self::U16 => u16::MAX as f64,
-            Self::U32 => u32::MAX as f64,
         }
     }
 }

@@ -17,7 +17,8 @@ use serde::Serialize;
 use super::{
     Done, convert,
     image::{self, Legend},
-    output, png,
+    output::{self, Overwriting},
+    png,
     progress::Progress,
     render, table,
     view::{Settings, ViewOptions},
@@ -44,12 +45,15 @@ bad input.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The OBJ file
+    /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
     /// Directory for fixed.png, reference.png and difference.png [default: target/check/NAME, or
     /// NAME-check without a directory target]
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
+    /// Overwrite pictures that are not from this program
+    #[arg(long)]
+    force: bool,
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
@@ -66,6 +70,15 @@ pub(super) struct Pictures {
     pub(super) reference: PathBuf,
     #[serde(serialize_with = "lossy")]
     pub(super) difference: PathBuf,
+}
+
+impl Pictures {
+    /// Refuses pictures that must not be overwritten.
+    pub(super) fn allow(&self, overwriting: Overwriting<'_>) -> Result<()> {
+        [&self.fixed, &self.reference, &self.difference]
+            .into_iter()
+            .try_for_each(|path| output::allow(path, output::PNG, overwriting))
+    }
 }
 
 /// Writes a path with replacement characters for what is not UTF-8, so that the result stays
@@ -117,6 +130,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         reference: directory.join("reference.png"),
         difference: directory.join("difference.png"),
     };
+    let inputs = output::inputs(&model);
+    pictures.allow(Overwriting { force: arguments.force, inputs: &inputs })?;
     let legend = write_pictures(&worst.checked, &pictures)?;
 
     let outcome = worst.checked.outcome;
@@ -135,7 +150,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             within_bounds: is_within_bounds,
             pictures,
         };
-        serde_json::to_string_pretty(&object)? + "\n"
+        output::json(&object)?
     } else {
         let (vertices, triangles) = (model.report.vertices, model.report.triangles);
         let mut text = format!("{}: {vertices} vertices, {triangles} triangles\n", path.display());
@@ -150,7 +165,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         writeln!(text, "Difference   {}", pictures.difference.display())?;
         text + &table::legend(&legend)
     };
-    Ok(Done { text, is_within_bounds })
+    Ok(Done { output: text.into(), is_within_bounds })
 }
 
 /// Checks every frame of the turntable and returns the worst: one that exceeds a bound, if any
@@ -173,7 +188,7 @@ pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) 
     worst.context("there is no frame to check")
 }
 
-/// Writes the three pictures of a frame.
+/// Writes the three pictures of a frame, which [`Pictures::allow`] allows.
 pub(super) fn write_pictures(checked: &Checked, pictures: &Pictures) -> Result<Legend> {
     let (difference, legend) = image::of_differences(checked, &Bounds::ARITHMETIC);
     let fixed = image::of_fixed(&checked.fixed, image::BACKGROUND);
@@ -183,11 +198,8 @@ pub(super) fn write_pictures(checked: &Checked, pictures: &Pictures) -> Result<L
         (&pictures.reference, reference),
         (&pictures.difference, difference),
     ];
-    for (path, _) in &files {
-        output::allow_png(path)?;
-    }
     for (path, image) in &files {
-        output::write_png(path, &png::still(image)?)?;
+        output::write(path, &png::still(image)?)?;
     }
     Ok(legend)
 }

@@ -216,10 +216,13 @@ mod tests {
             },
             wrong: vec![Wrong { pixel: [7, 0], fault: Fault::Hole, line: Some(1), triangle: None }],
             fixed: FixedPicture { size: [WIDTH as u32, 1], pixels },
-            arithmetic: row(&[(1, 108.0), (3, 108.0), (5, 100.0)], DEPTH.into()),
+            arithmetic: row(
+                &[(1, 108.0), (3, 108.0), (5, 100.0)],
+                DepthFormat::U16.definition().depth(DEPTH),
+            ),
             end_to_end: row(
                 &[(1, 100.0), (2, 50.0), (5, 100.0)],
-                f64::from(DEPTH) / DepthFormat::U16.max(),
+                DepthFormat::U16.definition().depth(DEPTH),
             ),
             depth: DepthFormat::U16,
         }

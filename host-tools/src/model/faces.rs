@@ -3,7 +3,11 @@
 
 use std::ops::Range;
 
-use super::{fit::Fitted, polygons::Polygons, vector::Vector};
+use super::{
+    fit::Fitted,
+    polygons::{self, Polygons},
+    vector::Vector,
+};
 
 /// All faces of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -41,7 +45,7 @@ impl Faces {
     ) -> Self {
         let mut start = 0;
         let faces = (polygons.faces.iter().zip(lines))
-            .map(|(&(arity, material), &line)| {
+            .map(|(&polygons::Face { arity, material, .. }, &line)| {
                 let corners = start..start + arity;
                 start = corners.end;
                 Face { corners, color: polygons.colors[material], line }

@@ -43,12 +43,14 @@
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
 //! | what outlines enclose | `winding.rs` | Shimrat, "Algorithm 112: Position of point relative to polygon", CACM 5(8), 1962 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
+//! | stored depth | `depth.rs` | IEEE 754, without a sign |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
 mod camera;
 mod clip;
 mod coverage;
+mod depth;
 mod interpolate;
 mod light;
 mod mesh;
@@ -64,6 +66,7 @@ mod screen;
 mod winding;
 
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
+pub use depth::DepthFormat;
 pub use light::Light;
 pub use mesh::{Corner, Culling, Mesh};
 pub use picture::{Fragment, Picture};

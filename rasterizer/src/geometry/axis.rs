@@ -4,7 +4,7 @@ use super::Pose;
 use crate::{
     camera::Camera,
     mesh::Mesh,
-    numbers::{Coordinate, Float, Vec3, codegen::keep_rolled, mul_q60, mul_wide_q30, shifted},
+    numbers::{Float, Vec3, codegen::keep_rolled, mul_q60, mul_wide_q30, shifted},
 };
 
 /// One of the camera's axes, and how far along it the object is.
@@ -40,7 +40,7 @@ impl Axis {
         let way = pose.translation.along(vector) - camera.eye().along(vector);
         let mut axis = Self { direction, way: way >> (46 - FRACTION_BITS), magnification };
         let scale = i64::from(pose.scale.to_bits()) << (FRACTION_BITS - 32);
-        for (column, offset) in offset.to_bits().into_iter().enumerate() {
+        for (column, &offset) in offset.to_bits().iter().enumerate() {
             keep_rolled();
             // Q16.16 times Q16.28.
             axis.advance(column, scale.wrapping_mul(offset.into()));
@@ -50,27 +50,33 @@ impl Axis {
 
     /// The coordinate of the anchor in clip space.
     #[inline(never)]
-    pub(super) fn origin(&self) -> Float {
+    pub(super) const fn origin(&self) -> Float {
         Float::new(self.way, -FRACTION_BITS).times(self.magnification)
+    }
+
+    /// How far a position can be from the anchor along the axis, in clip space.
+    #[inline(never)]
+    pub(super) const fn reach(&self, grid: &Grid) -> Float {
+        // The coordinates of a direction add up to no more than the root of 3.
+        const SUM: Float = Float::new(7, -2);
+        let mut reach = grid.quantum.times(SUM).times(self.magnification);
+        reach.exponent += grid.reach_bits;
+        reach
     }
 
     /// The least n for which the coordinate of all positions, and the translation, stay below 2^n.
     #[inline(never)]
     pub(super) fn magnitude(&self, grid: &Grid) -> i32 {
-        // The coordinates of a direction add up to no more than the root of 3.
-        const SUM: Float = Float::new(7, -2);
-        let mut reach = grid.quantum.times(SUM).times(self.magnification);
-        reach.exponent += grid.reach_bits;
         let mut origin = self.origin();
         origin.mantissa = origin.mantissa.abs();
-        let sum = reach.plus(origin);
+        let sum = self.reach(grid).plus(origin);
         // What is rounded up to the next power of two needs another bit.
         sum.magnitude() + i32::from(sum.mantissa >= i32::MAX - 3)
     }
 
     /// Moves the anchor by a length along an axis of the object.
     #[inline(never)]
-    fn advance(&mut self, column: usize, length: i64) {
+    const fn advance(&mut self, column: usize, length: i64) {
         self.way = self.way.wrapping_add(mul_q60(length, self.direction[column]));
     }
 }
@@ -104,8 +110,6 @@ pub(super) struct Grid {
     pub(super) anchor: [i32; 3],
     /// The distance of a position from the anchor is below 2 to this power, along an axis.
     reach_bits: i32,
-    /// What is added to coordinates, in units of 2^-15: half a unit, unless they have a fraction.
-    pub(super) bias: i32,
 }
 
 /// Further bits of the length of a quantum, so that 2^15 of them are as exact as other lengths.
@@ -113,19 +117,18 @@ const QUANTUM_BITS: i32 = 15;
 
 impl Grid {
     /// With its anchor at the mesh's origin.
-    pub(super) fn new<C: Coordinate>(pose: &Pose, mesh: &Mesh<'_>) -> Self {
+    pub(super) fn new(pose: &Pose, mesh: &Mesh<'_>) -> Self {
         let scale = mesh.tables().scale;
         // Exact, so that only the product of both scales matters. Halved, so that it fits.
         let product = u64::from(pose.scale.to_bits()) * u64::from(scale.mantissa());
         let length = (product >> 1) as i64;
         let exponent = scale.exponent() - 15 - mesh.spare_bits().cast_signed();
         let quantum = Float::new(length, exponent);
-        let bias = if C::HAS_FRACTION { 0 } else { 1 << 14 };
-        Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15, bias }
+        Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15 }
     }
 
-    /// The least distance from the eye of a vertex, or 4 times the half width of the mesh's box: the
-    /// larger of both, in world units. Call it once the anchor is near the eye.
+    /// The least distance from the eye of a vertex, or 4 times the half width of the mesh's box:
+    /// the larger of both, in world units. Call it once the anchor is near the eye.
     pub(super) fn distance(&self, axes: [&Axis; 3]) -> Float {
         let mut reach = self.quantum;
         reach.exponent += 15 + 2;

@@ -228,6 +228,39 @@ mod tests {
         assert!(largest >= 6, "no triangle met several planes");
     }
 
+    /// Edges that cross one plane, against the exact crossing: within the 4 units that `ClipAll`
+    /// documents. Its ends are known to a unit, and so is what is interpolated between them.
+    #[test]
+    fn cut_corners_are_where_the_edge_meets_the_plane() {
+        let transform = transform();
+        let mut random = Random::new(17);
+        let (mut cut, mut worst) = (0, 0f64);
+        for _ in 0..50_000 {
+            let [a, b] =
+                [0; 2].map(|_| vertex(&transform, [0; 3].map(|_| coordinate(&mut random))));
+            let crossed: Vec<_, 6> =
+                PLANES.into_iter().filter(|plane| plane.distance(&b, &transform) < 0).collect();
+            let [plane] = crossed.as_slice() else {
+                continue;
+            };
+            if !is_inside(&a, &transform) {
+                continue;
+            }
+            let ends = [plane.distance(&a, &transform), plane.distance(&b, &transform)];
+            let t = f64::from(ends[0]) / (f64::from(ends[0]) - f64::from(ends[1]));
+            let exact = |a: i32, b: i32| f64::from(a) + (f64::from(b) - f64::from(a)) * t;
+            let exact = [exact(a.x, b.x), exact(a.y, b.y), exact(a.z, b.z)];
+            for corner in polygon([a, b, b], &transform).iter().filter(|corner| **corner != a) {
+                cut += 1;
+                for (got, want) in [corner.x, corner.y, corner.z].into_iter().zip(exact) {
+                    worst = worst.max((f64::from(got) - want).abs());
+                }
+            }
+        }
+        assert!(cut > 1000, "only {cut} edges were cut");
+        assert!(worst <= 2.0, "{worst}");
+    }
+
     /// The corners on an edge are the same whichever triangle it belongs to and whichever way it
     /// runs.
     #[test]

@@ -104,9 +104,9 @@ impl Sealed for Perspective {
         Units { xy: unit, z: unit }
     }
 
-    /// On the screen at a distance w along the axis: at most w (1 + 1.5 / f) from the eye, where f is
-    /// the focal length in guard bands and (w / f, w / f, w) a corner of the guard band; and at most
-    /// w and what the object reaches to the side.
+    /// On the screen at a distance w along the axis: at most w (1 + 1.5 / f) from the eye, where f
+    /// is the focal length in guard bands and (w / f, w / f, w) a corner of the guard band; and at
+    /// most w and what the object reaches to the side.
     fn least_w(&self, reach: &Reach) -> i32 {
         const ROOT: Float = Float::new(3, -1);
         let &Reach { distance, across, least_w, side, units } = reach;

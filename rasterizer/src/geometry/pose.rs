@@ -57,16 +57,16 @@ impl Default for Pose {
 /// With f the focal length over 1,024 pixels, let h be the largest |coordinate| of the mesh's
 /// positions, in world units; let m be the largest of |x| f, |y| f and |z| that a point within
 /// 1.75 h of the mesh's origin has in the camera's axes, rounded up to a power of two; and let w be
-/// the least z of the mesh's box, or the near distance if that is larger. The limit is
+/// the least z of such a point, or the near distance if that is larger. The limit is
 ///
-/// * with [`S4`] m <= 1,365 w;
-/// * with [`S8`] m <= 85 w, or else, with 3.5 h for 1.75 h, m <= 64 w, or both m <= 64 d / k and m
-///   <= 2<sup>21</sup> near distances. Here d is 4 h or the distance of the box from the eye if that
-///   is larger; k is 1 + 1.5 / f, or (w + s) / w if that is less, where s is the sum of the largest
-///   |x| and |y|.
+/// * with [`S4`] m <= 1,024 w;
+/// * with [`S8`] m <= 64 w, or else, with 3.5 h for 1.75 h in m, both m <= 64 d / k and m <=
+///   2<sup>21</sup> near distances. Here d is 4 h or the distance of the mesh's box from the eye if
+///   that is larger; k is 1 + 1.5 / f, or (w + s) / w if that is less, where s is the sum of the
+///   largest |x| and |y| of the box.
 ///
 /// In a parallel projection f is the length of a world unit in pixels over 1,024, w is 1, and the
-/// conditions on m and w alone count: an object may be 1,365 or 85 times as wide as the guard band.
+/// conditions on m and w alone count: an object may be 1,024 or 64 times as wide as the guard band.
 /// Further, the mesh's origin lies within 2<sup>16</sup> units of the pose's, and w is at least
 /// 2<sup>-22</sup> units with S4 and 2<sup>-18</sup> with S8, or f times that if f is over 1.
 ///

@@ -4,7 +4,7 @@
 use super::axis::{Axis, Grid};
 use crate::{
     mesh::Mesh,
-    numbers::{Coordinate, IS_NARROW, codegen::keep_rolled, mul_wide_q30, shifted},
+    numbers::{Coordinate, Float, IS_NARROW, codegen::keep_rolled, mul_wide_q30, shifted},
 };
 
 /// One coordinate of clip space as a function of an object's position in normalised quanta: a row
@@ -30,20 +30,29 @@ impl<const PARTS: usize> Row<PARTS> {
     // codegen: not inlined, like all that builds the matrix: it runs for each of three rows once a
     // frame.
     #[inline(never)]
-    pub(super) fn new(axis: &Axis, grid: &Grid, unit: i32) -> Self {
+    pub(super) fn new<C: Coordinate>(axis: &Axis, grid: &Grid, unit: i32) -> Self {
         let step = unit - FRACTION_BITS.cast_signed();
-        // The translation makes the anchor exact.
-        let origin = axis.origin();
-        let mut translation =
-            i64::from(grid.bias) + shifted(origin.mantissa.into(), origin.exponent - step);
-        let quantum = grid.quantum.times(axis.magnification);
+        let (origin, quantum) = (axis.origin(), grid.quantum.times(axis.magnification));
+        // The translation makes the anchor exact. Half a unit, so that whole ones are rounded.
+        let (mut translation, half) = if C::HAS_FRACTION {
+            (shifted(origin.mantissa.into(), origin.exponent - step), 0)
+        } else {
+            (i64::from(origin.in_units_of(unit)) << FRACTION_BITS, 1 << (FRACTION_BITS - 1))
+        };
         let mut row = Self { entries: [[0; 3]; PARTS], translation: (0, 0) };
         for (column, (&direction, &anchor)) in axis.direction.iter().zip(&grid.anchor).enumerate() {
             keep_rolled();
             // Q60 times a mantissa, over 2^30.
             let entry = mul_wide_q30(direction, quantum.mantissa);
-            let entry = shifted(entry, quantum.exponent - 30 - step) as i32;
-            translation -= i64::from(entry) * i64::from(anchor);
+            let exponent = quantum.exponent - 30;
+            let entry = if C::HAS_FRACTION {
+                shifted(entry, exponent - step) as i32
+            } else {
+                Float::new(entry, exponent).in_units_of(step)
+            };
+            if C::HAS_FRACTION {
+                translation -= i64::from(entry) * i64::from(anchor);
+            }
             match row.entries.as_mut_slice() {
                 [whole] => whole[column] = entry << (16 - FRACTION_BITS),
                 [high, low] => {
@@ -55,7 +64,7 @@ impl<const PARTS: usize> Row<PARTS> {
         }
         // A translation beyond 32 bits of units wraps round, and what is added to it wraps back.
         let units = (translation >> FRACTION_BITS) as i32;
-        let fraction = translation as u32 & ((1 << FRACTION_BITS) - 1);
+        let fraction = (translation as u32 & ((1 << FRACTION_BITS) - 1)) | half;
         let shift = if PARTS == 1 { 32 - FRACTION_BITS } else { 0 };
         row.translation = (units, fraction << shift);
         row

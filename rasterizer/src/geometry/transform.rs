@@ -63,9 +63,12 @@ impl<P: Projection> Transform<P> {
         let axis = |axis, magnification| Axis::new(camera, axis, magnification, pose, offset);
         let (mut x_axis, mut y_axis, mut z_axis) =
             (axis(0, across), axis(1, across), axis(2, deep));
-        let mut grid = Grid::new::<S::Coordinate>(pose, mesh);
+        let mut grid = Grid::new(pose, mesh);
         let mut is_in_range = axis::is_offset_in_range(pose, offset);
         let mut is_moved = false;
+        let mut reach = z_axis.reach(&grid);
+        reach.mantissa = -reach.mantissa;
+        let least_z = z_axis.origin().plus(reach);
         loop {
             let units = projection.units(
                 x_axis.magnitude(&grid).max(y_axis.magnitude(&grid)),
@@ -73,11 +76,10 @@ impl<P: Projection> Transform<P> {
             );
             let [near, far] = projection.depth_range(units);
             let lens = projection.lens(units);
-            let z_row = Row::new(&z_axis, &grid, units.z);
-            let mut least_w = lens.least_w(z_row.end(mesh, false));
+            let mut least_w = lens.least_w(least_z.in_units_of(units.z));
             if is_moved {
                 let [x, y] = [&x_axis, &y_axis].map(|axis| {
-                    let row = <Row>::new(axis, &grid, units.xy);
+                    let row = <Row>::new::<S::Coordinate>(axis, &grid, units.xy);
                     row.end(mesh, false).saturating_abs().max(row.end(mesh, true).saturating_abs())
                 });
                 let near_axis = projection.least_w(&Reach {
@@ -89,19 +91,18 @@ impl<P: Projection> Transform<P> {
                 });
                 least_w = least_w.max(near_axis);
             }
-            // In units, a coordinate is off by 2.75 at most: 1.5 for the entries, 0.5 for rounding
-            // it, the rest for the 31 bits of translation and lengths; with a moved anchor by 3.5.
-            // That much of x and of w move a vertex by an eighth of a sub-pixel at most if w is
-            // this large. So do the steps of the way, eight of which it is off by.
+            // In units, a coordinate is off by 3.7 at most: 1.9 for the entries, 0.5 each for
+            // rounding the translation and the sum, the rest for the 31 bits of lengths; with a
+            // fraction by 3.5. That much of x and of w move a vertex by an eighth of a sub-pixel at
+            // most if w is this large. So do the steps of the way, eight of which it is off by.
             let step = across.magnitude().max(deep.magnitude()) - axis::FRACTION_BITS - units.xy;
-            let bits = (step + 16).max(14) + S::BITS as i32;
-            let is_exact =
-                is_in_range && bits < 31 && least_w >> bits > if is_moved { 3 } else { 2 };
+            let bits = (step + 18).max(16) + S::BITS as i32;
+            let is_exact = is_in_range && bits < 31 && least_w >> bits != 0;
             if is_exact || is_moved || !S::Coordinate::HAS_FRACTION {
                 break Self {
-                    x: Row::new(&x_axis, &grid, units.xy),
-                    y: Row::new(&y_axis, &grid, units.xy),
-                    z: z_row,
+                    x: Row::new::<S::Coordinate>(&x_axis, &grid, units.xy),
+                    y: Row::new::<S::Coordinate>(&y_axis, &grid, units.xy),
+                    z: Row::new::<S::Coordinate>(&z_axis, &grid, units.z),
                     near,
                     far,
                     lens,
@@ -134,7 +135,7 @@ impl<P: Projection> Transform<P> {
 
     /// Checks that the object fits the projection's number range. Call this first: no other method
     /// is valid until it succeeds.
-    pub(crate) fn check(&self) -> Result<(), PoseError> {
+    pub(crate) const fn check(&self) -> Result<(), PoseError> {
         if self.is_exact { Ok(()) } else { Err(PoseError) }
     }
 

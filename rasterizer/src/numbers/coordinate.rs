@@ -51,7 +51,7 @@ impl Coordinate for i64 {
 
     #[inline(always)]
     fn new(units: i32, fraction: u32) -> Self {
-        i64::from(units) << 32 | i64::from(fraction)
+        Self::from(units) << 32 | Self::from(fraction)
     }
 
     #[inline(always)]

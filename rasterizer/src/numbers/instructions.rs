@@ -8,14 +8,22 @@ use super::software;
 
 /// Whether the core has none of these instructions. Among ARM targets these are the ones without
 /// atomic read-modify-write instructions (`ARMv6-M`, `ARMv4T`), which a stable compiler can test
-/// for.
-pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+/// for. With `--cfg rasterizer_narrow` the host computes like these, for tests.
+pub(crate) const IS_NARROW: bool =
+    cfg!(any(all(target_arch = "arm", not(target_has_atomic = "32")), rasterizer_narrow));
 
 /// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension.
 /// The baseline of `ARMv8-M` counts as one of them, because it has atomic instructions too; the
 /// compiler stores two halves there.
 pub(crate) const HAS_UNALIGNED_WORDS: bool =
     cfg!(all(target_arch = "arm", target_has_atomic = "32"));
+
+/// Whether counting leading zeros takes one instruction or a few.
+const HAS_LEADING_ZEROS: bool = !(IS_NARROW
+    || cfg!(all(
+        any(target_arch = "riscv32", target_arch = "riscv64"),
+        not(target_feature = "zbb")
+    )));
 
 /// ⌊a b / 2<sup>32</sup>⌋.
 #[inline(always)]
@@ -90,6 +98,20 @@ pub(crate) const fn normalised(value: u32) -> (u32, u32) {
     } else {
         let zeros = value.leading_zeros();
         (value << zeros, zeros)
+    }
+}
+
+/// A positive number shifted up to its most significant bit, and by how many bits, for numbers that
+/// mostly have few leading zeros. 0 stays 0.
+///
+/// Where there is no instruction for it, each leading zero takes 4 instructions.
+#[inline(always)]
+pub(crate) const fn normalised_from_few(value: u32) -> (u32, u32) {
+    if HAS_LEADING_ZEROS {
+        let zeros = value.leading_zeros();
+        (value.unbounded_shl(zeros), zeros)
+    } else {
+        software::normalised_by_bits(value)
     }
 }
 

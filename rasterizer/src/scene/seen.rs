@@ -65,7 +65,7 @@ impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Seen<'a,
 impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     /// Checks that the object fits the camera's number range. Call this first: no other method is
     /// valid until it succeeds.
-    pub(super) fn check(&self) -> Result<(), PoseError> {
+    pub(super) const fn check(&self) -> Result<(), PoseError> {
         self.transform.check()
     }
 
