@@ -152,6 +152,28 @@ fn warnings_go_to_the_standard_error() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn control_characters_do_not_reach_the_terminal() {
+    let is_plain = |text: &str| !text.chars().any(|c| c.is_control() && c != '\n');
+    let name = "a\u{1b}[2J\u{9b}\u{7f}.obj";
+    let directory = directory_with(name, &format!("mtllib \u{1b}\u{9b}.mtl\n\u{7}\n{CUBE}"));
+    fs::write(directory.path().join("b.obj"), "v \u{1b}[31m 0 0\n").unwrap();
+    for line in ["convert", "convert --json", "render", "check", "check --json"] {
+        for (model, status) in [(name, 0), ("b.obj", 2), ("\u{1b}c.obj", 2)] {
+            let words = line.split(' ');
+            let output = program(directory.path()).args(words).arg(model).output().unwrap();
+            let (told, complaint) = (text(&output.stdout), text(&output.stderr));
+            assert_eq!(output.status.code(), Some(status), "{line} {model}: {complaint}");
+            assert!(is_plain(told) && is_plain(complaint), "{line} {model}: {told}{complaint}");
+            if line.contains("--json") && status == 0 {
+                let json: Value = serde_json::from_str(told).unwrap();
+                assert_eq!(json["model"], name);
+            }
+        }
+    }
+}
+
+#[test]
 fn render_draws_the_model_on_the_background() {
     let directory = directory_with("a.obj", CUBE);
     let path = directory.path();
@@ -193,13 +215,21 @@ fn several_frames_are_an_animation() {
 }
 
 #[test]
-fn a_view_of_nothing_is_a_warning_for_render_and_an_error_for_check() {
+fn a_view_of_nothing_is_a_warning() {
     let directory = directory_with("a.obj", CUBE);
-    let output = run(directory.path(), "render a.obj --near 10 --far 20");
-    assert_eq!(output.status.code(), Some(0));
-    assert!(text(&output.stderr).starts_with("warning: no pixel shows anything of a.obj"));
-    let error = refuse(directory.path(), "check a.obj --near 10 --far 20");
-    assert!(error.contains("no pixel shows anything of a.obj"), "{error}");
+    for line in ["render a.obj", "check a.obj", "check a.obj --json --frames 3"] {
+        let output = run(directory.path(), &format!("{line} --near 10 --far 20"));
+        assert_eq!(output.status.code(), Some(0), "{line}");
+        let complaint = text(&output.stderr);
+        assert!(complaint.starts_with("warning: no pixel shows anything of a.obj"), "{complaint}");
+        if line.contains("json") {
+            let json: Value = serde_json::from_slice(&output.stdout).unwrap();
+            assert_eq!(json["arithmetic"]["pixels"], 0);
+            assert_eq!(json["end_to_end"]["coverage_mismatches"], 0);
+            assert_eq!((&json["within_bounds"], &json["frame"]), (&true.into(), &0.into()));
+            assert_eq!(json["places"]["judged"], 320 * 240);
+        }
+    }
 }
 
 #[test]
@@ -238,6 +268,16 @@ fn check_prints_one_json_object_and_writes_three_pictures() {
         }
         assert!(comparison["psnr_db"].is_f64() || comparison["psnr_db"].is_null());
     }
+    for side in ["arithmetic", "end_to_end"] {
+        let worst = &json[side]["vertex_worst"];
+        assert!(worst["vertex"].as_u64() < Some(24), "{worst}");
+        // Of S4: 5/8 of a 16th, and half a quantum more.
+        let bound = worst["bound_px"].as_f64().unwrap();
+        assert!((0.0390625..0.04).contains(&bound) && worst["error_px"].as_f64() <= Some(bound));
+    }
+    let places = &json["places"];
+    assert!(places["judged"].as_u64() > Some(1_100) && places["judged"].as_u64() <= Some(1_200));
+    assert_eq!((&places["wrong"], &places["first"]), (&0.into(), &Value::Null));
     for picture in ["fixed", "reference", "difference"] {
         let name = json["pictures"][picture].as_str().unwrap();
         assert_eq!(name, format!("a-check/{picture}.png"));
@@ -272,6 +312,8 @@ fn check_prints_a_table_with_bounds() {
         "End to end",
         "Coverage mismatches",
         "PSNR",
+        "Pixels judged by their place",
+        "Wrong pixels among these",
         "0 ok",
         "1 ok",
         "The worst of 2 frames",

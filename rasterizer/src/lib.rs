@@ -146,7 +146,7 @@
 //! | choice | by | |
 //! |---|---|---|
 //! | sub-pixel precision | the type of the vertex storage | [`S4`](numbers::S4), [`S8`](numbers::S8) |
-//! | depth | the type of the depth buffer | `u16`, `u32`, [`NoDepth`](attribute::NoDepth) |
+//! | depth | the type of the depth buffer | `u16`, [`FloatDepth`](attribute::FloatDepth), `u32`, [`NoDepth`](attribute::NoDepth) |
 //! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), or [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes |
@@ -193,8 +193,8 @@
 //! | world coordinates | Q16.16 | ±32,768 |
 //! | directions, matrices | Q2.30 | orthonormal within 2<sup>-26</sup> |
 //! | positions in a mesh | 16 bits times the mesh's [`Scale`](numbers::Scale) | half a quantum: 1/131,068 of the longest side |
-//! | places on the screen | sub-pixels, 4 or 8 bits behind the point | half a sub-pixel of snapping and 1/8 of arithmetic, down to a near plane of 1/100 of the object's size; ±1,024 pixels about the viewport's middle |
-//! | depth | Q0.16 or Q0.32, stepped with 16 or 18 more bits | 1 unit of the format |
+//! | places on the screen | sub-pixels, 4 or 8 bits behind the point | half a sub-pixel of snapping and 1/8 of arithmetic, for objects up to some hundred near distances wide with 4 bits, some hundred thousand with 8 ([`PoseError`](geometry::PoseError) has the limit, beyond which an object is refused); ±1,024 pixels about the viewport's middle |
+//! | depth | Q0.16, Q0.32 or [floating-point](attribute::FloatDepth) in 16 bits, stepped with 16 or 18 more bits | 1 unit of the format |
 //! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
 //!
 //! Any finite input gives the right picture or an error value before the first pixel: triangles

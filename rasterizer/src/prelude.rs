@@ -1,7 +1,7 @@
 //! The names that most programs use. None of them is in `embedded_graphics::prelude`.
 
 pub use crate::{
-    attribute::NoDepth,
+    attribute::{FloatDepth, NoDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{ClipAll, ClipNone, CullBack, CullFront, CullNone, Pose, ScreenVertex},
     mesh::Mesh,

@@ -33,6 +33,7 @@ macro_rules! examples {
 examples! {
     bands = "../examples/bands.rs",
     blending = "../examples/blending.rs",
+    depth_formats = "../examples/depth_formats.rs",
     direct = "../examples/direct.rs",
     dirty_rectangle = "../examples/dirty_rectangle.rs",
     discard = "../examples/discard.rs",

@@ -26,6 +26,7 @@ named![
     Direct,
     Distance,
     Flat,
+    FloatDepth,
     Frame,
     Gouraud,
     Level,

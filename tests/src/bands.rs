@@ -11,7 +11,7 @@ use embedded_graphics::{
 };
 use fixed::types::U16F16;
 use rasterizer::{
-    attribute::NoDepth,
+    attribute::{FloatDepth, Interpolate as _, NoDepth},
     camera::{Camera, Distance, Perspective},
     mesh::{Material, MeshMaterial, MeshVertex},
     numbers::{Rotation, Scalar, Turn, Vec3},
@@ -172,13 +172,18 @@ macro_rules! stored {
     ($depth:ty) => {
         impl Depth for $depth {
             fn bands(area: Rectangle, rows: u32) -> OwnBands<Self> {
-                Bands::new(area, memory(area, rows, BACKGROUND), memory(area, rows, 0).leak())
-                    .unwrap()
+                Bands::new(
+                    area,
+                    memory(area, rows, BACKGROUND),
+                    memory(area, rows, Self::ZERO).leak(),
+                )
+                .unwrap()
             }
         }
     };
 }
 stored!(u16);
+stored!(FloatDepth);
 stored!(u32);
 
 impl Depth for NoDepth {

@@ -3,6 +3,7 @@
 pub mod bands;
 mod counter;
 pub mod ends;
+pub mod exact;
 mod picture;
 #[path = "../../rasterizer/src/random.rs"]
 mod random;

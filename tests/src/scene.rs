@@ -65,6 +65,13 @@ impl<'a, P: Projection> Scene<'a, P> {
         Object::new(self.mesh, Unlit::new()).posed(self.pose).culled(K::default())
     }
 
+    /// Whether the object fits the number range of `S`.
+    #[must_use]
+    pub fn is_accepted<S: Subpixel>(&self) -> bool {
+        let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
+        self.object::<CullBack>().project(&self.camera, &mut storage).is_ok()
+    }
+
     /// Counts how often each pixel of `part` is drawn.
     ///
     /// # Panics

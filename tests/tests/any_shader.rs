@@ -4,14 +4,15 @@
 use embedded_graphics::pixelcolor::{Gray8, GrayColor, Rgb888, RgbColor};
 use fixed::types::U16F16;
 use host_tools::{
-    check::{Bounds, Difference, Judged, judge},
+    check::{Bounds, DefinedDepth, Difference, Judged, judge},
     reference::Sample,
 };
 use rasterizer::{
+    attribute::FloatDepth,
     geometry::{CullNone, ScreenVertex},
     mesh::{MeshMaterial, MeshVertex},
     numbers::{S4, S8, Subpixel},
-    output::{StoredColor, StoredDepth},
+    output::StoredColor,
     raster::Fragment,
     scene::Object,
     shade::Shader,
@@ -58,7 +59,7 @@ fn position(varyings: [f64; 3]) -> [f64; 3] {
 }
 
 /// Both sides of the ball, seen from `eye`. The varyings of the reference are the stored ones.
-fn ball_judged<S: Subpixel, D: StoredDepth + Into<u32>, const N: usize, Sh>(
+fn ball_judged<S: Subpixel, D: DefinedDepth, const N: usize, Sh>(
     eye: &str,
     shader: Sh,
     shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
@@ -78,7 +79,7 @@ where
 /// step to the next.
 #[test]
 fn three_varyings_are_within_bounds() {
-    fn from_all_eyes<S: Subpixel, D: StoredDepth + Into<u32>>() {
+    fn from_all_eyes<S: Subpixel, D: DefinedDepth>() {
         for eye in EYES {
             let judged =
                 ball_judged::<S, D, 3, _>(eye, Position, |sample| Some(position(sample.varyings)));
@@ -90,6 +91,7 @@ fn three_varyings_are_within_bounds() {
     from_all_eyes::<S4, u16>();
     from_all_eyes::<S8, u16>();
     from_all_eyes::<S8, u32>();
+    from_all_eyes::<S8, FloatDepth>();
 }
 
 /// A threshold turns an error far below a unit into another colour, but only at the border of a

@@ -19,6 +19,8 @@ fn sweep(path: &std::path::Path) {
         (Subpixel::S8, DepthFormat::U32, Shading::Gouraud),
         (Subpixel::S8, DepthFormat::U16, Shading::Flat),
         (Subpixel::S4, DepthFormat::U32, Shading::Unlit),
+        (Subpixel::S4, DepthFormat::Float16, Shading::Flat),
+        (Subpixel::S8, DepthFormat::Float16, Shading::Gouraud),
     ];
     let mut covered = 0;
     for size in [[64, 64], [320, 240], [640, 480], [1, 1], [2047, 3]] {
@@ -28,8 +30,8 @@ fn sweep(path: &std::path::Path) {
                     size,
                     distance,
                     near: 0.02,
-                    yaw_degrees: 77.0 * turn as f64 + 5.0,
-                    pitch_degrees: 31.0 * turn as f64,
+                    yaw_degrees: 77.0 * (turn % 4) as f64 + 5.0,
+                    pitch_degrees: 31.0 * (turn % 4) as f64,
                     subpixel,
                     depth,
                     shading,
@@ -47,16 +49,29 @@ fn sweep(path: &std::path::Path) {
 }
 
 fn judge(model: &Model, view: &View) -> usize {
-    let outcome =
-        check(model, view).unwrap_or_else(|error| panic!("{}: {error}", model.name)).outcome;
+    let outcome = match check(model, view) {
+        Ok(report) => report.outcome,
+        // Three rows are so low that the guard band reaches 89.8 degrees to the side, where S8 has
+        // no range for what surrounds the camera.
+        Err(error) => {
+            let is_too_wide = view.size[1] <= 3 && view.distance < 1.0;
+            assert!(
+                is_too_wide && view.subpixel == Subpixel::S8,
+                "{}: {error}\n{view:#?}",
+                model.name
+            );
+            return 0;
+        }
+    };
     assert!(
-        outcome.is_within(&Bounds::ARITHMETIC),
+        outcome.arithmetic.is_within(&Bounds::ARITHMETIC),
         "{}: {:#?}\n{view:#?}",
         model.name,
         outcome.arithmetic
     );
     // Snapping moves a vertex by up to half a sub-pixel, the transform by up to another eighth.
-    let error = outcome.arithmetic.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
+    let error =
+        outcome.arithmetic.vertices.vertex_error_max_px * 2f64.powi(view.subpixel.bits() as i32);
     assert!(error <= 0.625, "{}: a vertex is {error} sub-pixels off\n{view:#?}", model.name);
     outcome.arithmetic.deviation.pixels
 }

@@ -7,7 +7,7 @@ use std::{cell::Cell, convert::Infallible, thread};
 use embedded_graphics::pixelcolor::Rgb888;
 use fixed::types::U16F16;
 use rasterizer::{
-    attribute::{DepthFormat, NoDepth},
+    attribute::{DepthFormat, FloatDepth, NoDepth},
     geometry::{CullBack, CullNone, Culling, ScreenVertex},
     mesh::{Material, Mesh, MeshMaterial, MeshVertex, Tables},
     numbers::{S4, S8, Subpixel},
@@ -87,6 +87,11 @@ fn bands_equal_the_whole_frame_in_every_format() {
         bands_equal_the_frame::<S, u16, _, _>(&Unlit::new(), culling, heights.clone());
         bands_equal_the_frame::<S, u32, _, _>(&Gouraud::new(light()), culling, heights.clone());
         bands_equal_the_frame::<S, u16, _, _>(&Gouraud::new(light()), culling, heights.clone());
+        bands_equal_the_frame::<S, FloatDepth, _, _>(
+            &Gouraud::new(light()),
+            culling,
+            heights.clone(),
+        );
         bands_equal_the_frame::<S, u32, _, _>(&Position, culling, heights);
     }
     formats::<S4>(CullBack);

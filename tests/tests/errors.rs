@@ -126,8 +126,8 @@ fn shaders_need_their_tables() {
     assert_eq!(refused(&smooth, &perspective(), room), ProjectError::NoVertexNormals);
 }
 
-/// A model 2^100 units wide is rejected by a parallel projection. An offset that the scale enlarges
-/// to 2^32 units is not.
+/// A model 2^100 units wide is refused, and so is one that the scale of its pose carries 2^31 units
+/// away, in perspective too.
 #[test]
 fn objects_beyond_all_numbers_are_refused() {
     let far_off = ProjectError::Pose(PoseError);
@@ -138,18 +138,19 @@ fn objects_beyond_all_numbers_are_refused() {
     {
         let mesh = cube.mesh();
         assert_eq!(refused(&Object::new(&mesh, Unlit::new()), &parallel, 100), far_off);
+        assert_eq!(refused(&Object::new(&mesh, Unlit::new()), &perspective(), 100), far_off);
     }
     cube.scale = Scale::ONE;
     cube.offset = Vec3::lit("32767", "-32768", "32767");
     let mesh = cube.mesh();
     let eighth = Pose::rotated(Rotation::about_z(Turn::degrees(45)));
     let carried_off = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(eighth.scaled(huge));
-    let mut storage = vec![ScreenVertex::<S8, u16, [u16; 0]>::EMPTY; 100];
-    assert!(carried_off.project(&perspective(), &mut storage).unwrap().is_outside_view());
-    assert!(carried_off.project(&parallel, &mut storage).unwrap().is_outside_view());
+    assert_eq!(refused(&carried_off, &perspective(), 100), far_off);
+    assert_eq!(refused(&carried_off, &parallel, 100), far_off);
     assert_eq!(
         far_off.to_string(),
-        "the object is too large or too far away: make its scale or its offset smaller"
+        "the object is too large for how near it comes: move the near plane away, use S8, split the \
+         mesh, or make its scale or its offset smaller"
     );
 }
 

@@ -16,7 +16,7 @@ use embedded_graphics::{
     text::Text,
 };
 use rasterizer::{
-    attribute::NoDepth,
+    attribute::{FloatDepth, NoDepth},
     geometry::{CullNone, Pose, ScreenVertex},
     numbers::{S8, Vec3},
     output::{Bands, Frame, FrameError, Packed, Rows, StoredDepth, Strided},
@@ -288,6 +288,7 @@ fn colors_and_depth_are_cleared_apart() {
         });
     }
     in_format::<u16>();
+    in_format::<FloatDepth>();
     in_format::<u32>();
 }
 

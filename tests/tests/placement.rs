@@ -1,205 +1,56 @@
-//! Vertices lie where exact arithmetic puts them, for cameras and objects of all magnitudes.
+//! Vertices lie where exact arithmetic puts them, for cameras and objects of all magnitudes, or the
+//! object is refused.
 //!
-//! The unit of clip space is at most 2^-27 of the largest coordinate that the object could have:
-//! the bound on a coordinate is a power of two at most twice its largest term, and two more bits
-//! are for the sum of four terms. A coordinate is within [`ERROR`] units of the exact one. A vertex
-//! may be off by this error divided by w, and by half a sub-pixel for snapping.
+//! A vertex is at most 5/8 of a sub-pixel from its exact place: half for snapping, and an eighth
+//! for arithmetic.
 
 use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
-    camera::{Camera, Orthographic, Perspective},
+    camera::{Camera, Perspective},
     geometry::Projection,
-    numbers::{S4, S8, Subpixel, Vec3},
+    numbers::{S4, S8, Subpixel},
     scene::Object,
     shade::Unlit,
 };
 use rasterizer_tests::{
     Placed, Random, Scene, Surface, area,
     ends::{self, Stage},
+    exact::{Lens, judge},
     pixel_camera,
 };
 
-/// Three units for the three matrix entries, each within half of 2^-14 units and multiplied by
-/// positions up to 2^15. One for rounding down, one for the translation, and two for the 31 bits in
-/// which matrix and translation are computed.
-const ERROR: f64 = 7.0;
-const GUARD: f64 = 1024.0;
-
-/// A projection in f64.
-#[derive(Clone, Copy)]
-struct Lens {
-    /// Pixels per unit at w = 1.
-    magnification: f64,
-    is_perspective: bool,
-    near: f64,
-    far: f64,
-}
-
-impl Lens {
-    fn perspective(lens: &Perspective, magnification: f64) -> Self {
-        Self {
-            magnification,
-            is_perspective: true,
-            near: lens.near().to_num(),
-            far: lens.far().to_num(),
-        }
-    }
-
-    fn orthographic(lens: &Orthographic, height: f64) -> Self {
-        Self {
-            magnification: height / lens.height().to_num::<f64>(),
-            is_perspective: false,
-            near: lens.near().to_num(),
-            far: lens.far().to_num(),
-        }
-    }
-}
-
-type Vector = [f64; 3];
-
-/// A row of the matrix from quanta to clip space, and its translation.
-type Row = (Vector, f64);
-
-/// The matrix's rows (right, down and away, the first two in guard bands at w = 1), and by how
-/// much, in world units, the vector from the eye to the model's origin may be off: its coordinates
-/// are rounded to 31 bits of the largest, and the offset to 2^-32 before and after it is scaled.
-fn matrix(stage: &Stage, lens: &Lens) -> ([Row; 3], f64) {
-    let [turn, view] = [stage.pose.rotation, stage.rotation.inverse()]
-        .map(|rotation| rotation.rows().map(|row| row.map(|c| c.to_num::<f64>())));
-    let apply =
-        |m: &[Vector; 3], v: Vector| m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
-    let vector = |v: Vec3| v.to_bits().map(|c| f64::from(c) / 65_536.0);
-    let scale: f64 = stage.pose.scale.to_num();
-    let quantum =
-        f64::from(stage.surface.scale.mantissa()) * 2f64.powi(stage.surface.scale.exponent());
-    let to_view = |v: Vector| {
-        let [x, y, z] = apply(&view, v);
-        [x * lens.magnification / GUARD, -y * lens.magnification / GUARD, -z]
-    };
-    let column = |axis: usize| {
-        let mut unit = [0.0; 3];
-        unit[axis] = scale * quantum;
-        to_view(apply(&turn, unit))
-    };
-    let columns = [0, 1, 2].map(column);
-    let (translation, eye) = (vector(stage.pose.translation), vector(stage.eye));
-    let offset = apply(&turn, vector(stage.surface.offset).map(|c| c * scale));
-    let from_eye = [0, 1, 2].map(|i| offset[i] + translation[i] - eye[i]);
-    let origin = to_view(from_eye);
-    let largest = from_eye.iter().fold(0f64, |m, c| m.max(c.abs()));
-    let rows = [0, 1, 2].map(|row| (columns.map(|column| column[row]), origin[row]));
-    (rows, 3f64.sqrt() * (largest * 2f64.powi(-31) + (scale + 1.0) * 2f64.powi(-32)))
-}
-
-/// The largest length of clip space's unit for a coordinate with this row.
-fn unit((entries, translation): &Row) -> f64 {
-    let largest = entries.iter().fold(translation.abs(), |m, c| m.max(c.abs() * 32_768.0));
-    largest * 2f64.powi(-27)
-}
-
-/// Checks where the vertices lie. Returns how many of them are known to less than a sub-pixel.
-fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Lens) -> usize {
-    let mesh = stage.surface.mesh();
-    let scene = Scene { pose: stage.pose, ..Scene::new(&mesh, camera) };
-    let (rows, origin) = matrix(stage, lens);
-    let [x, y, z] = [0, 1, 2].map(|row| unit(&rows[row]));
-    let (across, away) = if lens.is_perspective {
-        let unit = x.max(y).max(z);
-        (unit, unit)
-    } else {
-        // w = 1 and the far plane are numbers of units too.
-        (x.max(y).max(2f64.powi(-30)), z.max(lens.far * 2f64.powi(-29)))
-    };
-    let across = ERROR * across + origin * lens.magnification / GUARD;
-    let away = ERROR * away + origin;
-    let viewport = camera.viewport();
-    let sides = [viewport.size.width, viewport.size.height].map(f64::from);
-    let corner = [viewport.top_left.x, viewport.top_left.y].map(f64::from);
-
-    let placed = scene.vertices::<S>();
-    let mut sharp = 0;
-    let positions = (0..).map_while(|index| mesh.tables().positions.get(index));
-    for (index, position) in positions.enumerate() {
-        let p = position.map(f64::from);
-        let [x, y, z] =
-            rows.map(|(row, origin)| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + origin);
-        let w = if lens.is_perspective { z } else { 1.0 };
-        let is_certain = |margin: f64, limit: f64| {
-            z > lens.near + margin * away
-                && z < lens.far - margin * away
-                && x.abs().max(y.abs()) < limit * w - margin * (across + away)
-        };
-        let Some(place) = placed.get(index) else {
-            // The whole mesh lies outside the picture, which reaches half a viewport to each side
-            // of the middle.
-            let is_seen =
-                x.abs() * GUARD < sides[0] / 2.0 * w && y.abs() * GUARD < sides[1] / 2.0 * w;
-            assert!(!(is_certain(1.0, 1.0) && is_seen), "vertex {index} is seen: {stage:?}");
-            continue;
-        };
-        match place {
-            None => {
-                assert!(!is_certain(1.0, 1.0), "vertex {index} is on the screen: {stage:?} {lens}");
-            }
-            Some([px, py]) => {
-                assert!(
-                    is_certain(-1.0, 1.0),
-                    "vertex {index} is not on the screen: {stage:?} {lens}"
-                );
-                // The guard band's last sub-pixel is cut off.
-                let subpixel = 1.0 / f64::from(1 << S::BITS);
-                let tolerance = 0.502 * subpixel + GUARD * (across + away) / w.max(1e-300);
-                sharp += usize::from(tolerance < subpixel);
-                for (axis, (got, c)) in [(px, x), (py, y)].into_iter().enumerate() {
-                    let exact =
-                        (c / w * GUARD).min(GUARD - subpixel) + corner[axis] + sides[axis] / 2.0;
-                    assert!(
-                        (got - exact).abs() <= tolerance,
-                        "vertex {index}: {got} {exact} {tolerance} {stage:?} {lens}"
-                    );
-                }
-            }
-        }
-    }
-    sharp
-}
-
-impl std::fmt::Display for Lens {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} from {} to {}", self.magnification, self.near, self.far)
-    }
-}
-
-/// Whether the core accepts the scene. `errors.rs` tests those that it rejects.
-fn is_accepted<P: Projection>(stage: &Stage, camera: &Camera<P>) -> bool {
+/// Whether the core accepts the scene.
+fn is_accepted<S: Subpixel, P: Projection>(stage: &Stage, camera: &Camera<P>) -> bool {
     let mesh = stage.surface.mesh();
     let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(stage.pose);
-    let mut storage = vec![Placed::<S4>::EMPTY; mesh.vertex_count()];
+    let mut storage = vec![Placed::<S>::EMPTY; mesh.vertex_count()];
     object.project(camera, &mut storage).is_ok()
 }
 
 #[test]
 fn vertices_of_parallel_projections_lie_where_they_should() {
     let mut random = Random::new(11);
-    let mut placed = 0;
+    let mut placed = [0; 2];
     for _ in 0..100_000 {
         let stage = ends::stage(&mut random);
         let (lens, viewport) = (ends::orthographic(&mut random), ends::viewport(&mut random));
         let camera = stage.camera(lens, viewport);
-        if is_accepted(&stage, &camera) {
-            let exact = Lens::orthographic(&lens, f64::from(viewport.size.height));
-            placed +=
-                judge::<S4, _>(&stage, camera, &exact) + judge::<S8, _>(&stage, camera, &exact);
+        let exact = Lens::orthographic(&lens, f64::from(viewport.size.height));
+        if is_accepted::<S4, _>(&stage, &camera) {
+            placed[0] += judge::<S4, _>(&stage, camera, &exact).placed;
+        }
+        if is_accepted::<S8, _>(&stage, &camera) {
+            placed[1] += judge::<S8, _>(&stage, camera, &exact).placed;
         }
     }
 
-    assert!(placed > 10_000, "{placed}");
+    assert!(placed.iter().all(|&count| count > 10_000), "{placed:?}");
 }
 
 #[test]
 fn vertices_in_perspective_lie_where_they_should() {
     let mut random = Random::new(12);
-    let mut placed = 0;
+    let mut placed = [0; 2];
     for _ in 0..100_000 {
         let stage = ends::stage(&mut random);
         let [near, far] = ends::depth_range(&mut random);
@@ -207,14 +58,16 @@ fn vertices_in_perspective_lie_where_they_should() {
         let focal = ends::distance(&mut random);
         let lens = Perspective::with_focal_length(focal, near, far).unwrap();
         let camera = stage.camera(lens, viewport);
-        if is_accepted(&stage, &camera) {
-            let exact = Lens::perspective(&lens, focal.to_num());
-            placed +=
-                judge::<S4, _>(&stage, camera, &exact) + judge::<S8, _>(&stage, camera, &exact);
+        let exact = Lens::perspective(&lens, focal.to_num());
+        if is_accepted::<S4, _>(&stage, &camera) {
+            placed[0] += judge::<S4, _>(&stage, camera, &exact).placed;
+        }
+        if is_accepted::<S8, _>(&stage, &camera) {
+            placed[1] += judge::<S8, _>(&stage, camera, &exact).placed;
         }
     }
 
-    assert!(placed > 10_000, "{placed}");
+    assert!(placed.iter().all(|&count| count > 10_000), "{placed:?}");
 }
 
 /// A vertex on the guard band's right or lower end is placed in its last sub-pixel; one beyond an

@@ -119,9 +119,9 @@ fn nothing_is_drawn_beside_the_viewport() {
     let mesh = cube.mesh();
     let viewport = area(9, 8, 20, 15);
     let lens =
-        Perspective::new(Turn::degrees(70), Distance::lit("0.25"), Distance::lit("60000")).unwrap();
+        Perspective::new(Turn::degrees(70), Distance::lit("600"), Distance::lit("60000")).unwrap();
     let camera =
-        Camera::at(Vec3::lit("0", "0", "10100"), Rotation::IDENTITY, lens, viewport).unwrap();
+        Camera::at(Vec3::lit("0", "0", "11000"), Rotation::IDENTITY, lens, viewport).unwrap();
     let mut picture = Picture::<_, u32>::empty(DISPLAY, BACKGROUND);
     picture.draw(&mesh, Unlit::new(), &camera);
     for (index, (&color, &depth)) in picture.color.iter().zip(&picture.depth).enumerate() {

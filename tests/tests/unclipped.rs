@@ -5,7 +5,7 @@ use std::convert::Infallible;
 
 use embedded_graphics::pixelcolor::Rgb888;
 use rasterizer::{
-    attribute::{DepthFormat, NoDepth},
+    attribute::{DepthFormat, FloatDepth, NoDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{ClipNone, CullBack, CullFront, CullNone, Culling, Projection, ScreenVertex},
     mesh::{Mesh, Triangles},
@@ -88,6 +88,7 @@ fn triangles_are_left_out_whole() {
         let camera = at(eye, DISPLAY);
         for counts in [
             equals_the_mesh_of_whole_triangles::<S4, u16, _, _>(&mesh, &camera, CullNone),
+            equals_the_mesh_of_whole_triangles::<S4, FloatDepth, _, _>(&mesh, &camera, CullBack),
             equals_the_mesh_of_whole_triangles::<S8, u32, _, _>(&mesh, &camera, CullFront),
             equals_the_mesh_of_whole_triangles::<S4, NoDepth, _, _>(&mesh, &camera, CullBack),
         ] {

@@ -1,7 +1,7 @@
 //! Differences, in numbers.
 
-use super::FixedPicture;
-use crate::reference::{Camera, Picture};
+use super::{FixedPicture, Places};
+use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,22 +28,47 @@ pub struct Comparison {
     /// Of the pictures.
     #[cfg_attr(feature = "cli", serde(flatten))]
     pub deviation: Deviation,
-    /// The largest distance in x or y, in pixels, by which a vertex lies off its exact place.
-    pub vertex_error_max_px: f64,
+    /// Of the vertices.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub vertices: Vertices,
     /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
     /// How long the reference takes on this machine, in milliseconds.
     pub reference_ms: f64,
 }
 
-/// Both comparisons.
+/// How far vertices lie off their exact places.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Vertices {
+    /// The largest distance in x or y, in pixels.
+    pub vertex_error_max_px: f64,
+    /// The vertex whose distance is the largest part of its bound; `None` if none is on the screen.
+    pub vertex_worst: Option<VertexError>,
+}
+
+/// How far a vertex lies off its exact place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct VertexError {
+    /// Its number in the tables.
+    pub vertex: usize,
+    /// The distance in x or y, in pixels.
+    pub error_px: f64,
+    /// How far it may be.
+    pub bound_px: f64,
+}
+
+/// Both comparisons, and the pixels that are wrong by their place.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct Outcome {
     /// Against the reference on the core's own vertices.
     pub arithmetic: Comparison,
-    /// Against the reference from the OBJ file's own numbers.
+    /// Against the reference from the OBJ file's own faces.
     pub end_to_end: Comparison,
+    /// Against the same, pixel by pixel, where vertices cannot be the cause.
+    pub places: Places,
 }
 
 /// How far the arithmetic may be off. The bounds follow from the number formats and hold for every
@@ -75,24 +100,58 @@ impl Deviation {
     }
 }
 
-impl Outcome {
-    /// Whether the arithmetic keeps its bounds.
+impl Vertices {
+    /// Whether each keeps its bound.
+    #[must_use]
+    pub fn are_within(&self) -> bool {
+        self.out_of_bounds().is_none()
+    }
+
+    /// The vertex that exceeds its bound the most.
+    #[must_use]
+    pub fn out_of_bounds(&self) -> Option<VertexError> {
+        self.vertex_worst.filter(|worst| worst.error_px > worst.bound_px)
+    }
+}
+
+impl Comparison {
+    /// Whether the picture keeps the bounds, and each vertex its own.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
-        self.arithmetic.deviation.is_within(bounds)
+        self.deviation.is_within(bounds) && self.vertices.are_within()
+    }
+}
+
+impl Outcome {
+    /// Whether the arithmetic keeps its bounds, each vertex its own, and no pixel is wrong by its
+    /// place.
+    #[must_use]
+    pub fn is_within(&self, bounds: &Bounds) -> bool {
+        self.arithmetic.is_within(bounds)
+            && self.end_to_end.vertices.are_within()
+            && self.places.wrong == 0
+    }
+
+    /// Whether one of the pictures covers a pixel.
+    #[must_use]
+    pub const fn shows_something(&self) -> bool {
+        let [arithmetic, end_to_end] = [self.arithmetic.deviation, self.end_to_end.deviation];
+        arithmetic.pixels + arithmetic.coverage_mismatches + end_to_end.coverage_mismatches > 0
     }
 
     /// Numbers by which frames compare: the worse frame has the larger. First whether a bound is
-    /// exceeded, then coverage, colour and depth of the arithmetic, then the same end to end.
+    /// exceeded and whether there is something to see, then pixels that are wrong by their place,
+    /// then coverage, colour and depth of the arithmetic, then the same end to end.
     #[must_use]
-    pub fn badness(&self) -> [f64; 7] {
+    pub fn badness(&self) -> [f64; 9] {
         let exceeds = f64::from(u8::from(!self.is_within(&Bounds::ARITHMETIC)));
+        let shows = f64::from(u8::from(self.shows_something()));
         let of = |c: &Comparison| {
             let found = &c.deviation;
             [found.coverage_mismatches as f64, found.color_max_error, found.depth_max_ulp]
         };
         let ([a, b, c], [d, e, f]) = (of(&self.arithmetic), of(&self.end_to_end));
-        [exceeds, a, b, c, d, e, f]
+        [exceeds, shows, self.places.wrong as f64, a, b, c, d, e, f]
     }
 }
 
@@ -119,17 +178,15 @@ pub enum Difference {
     },
 }
 
-/// Compares the pixel (x, y) with a reference whose depth of 1 stands for `unit` units of the
-/// stored format. That stores depths from 1 to `depth_max`.
+/// Compares the pixel (x, y) with a reference whose depth is from 0 to 1.
 ///
 /// Layers within one unit of depth of the nearest are equal in the stored format, so each of them
 /// is right: the pixel is compared with the one whose colour is closest.
 pub(super) fn difference(
     fixed: &FixedPicture,
     [x, y]: [usize; 2],
-    depth_max: f64,
+    depth: DepthFormat,
     reference: &Picture,
-    unit: f64,
 ) -> Difference {
     let pixel = fixed.pixels[y * reference.width() + x];
     let is_covered = pixel.depth != 0;
@@ -139,13 +196,15 @@ pub(super) fn difference(
     if !is_covered {
         return Difference::OnlyReference { color: nearest.color };
     }
+    let front = depth.units(nearest.depth);
     let (color_error, depth_error, color) = reference
         .fragments(x, y)
         .iter()
-        .filter(|fragment| (nearest.depth - fragment.depth) * unit <= 1.0)
-        .map(|fragment| {
+        .map(|fragment| (depth.units(fragment.depth), fragment))
+        .filter(|(units, _)| front - units <= 1.0)
+        .map(|(units, fragment)| {
             // Both as the formats store them.
-            let stored = (fragment.depth * unit).round().clamp(1.0, depth_max);
+            let stored = depth.stored(units);
             let channel = |i: usize| (f64::from(pixel.color[i]) - fragment.color[i].round()).abs();
             let color_error = channel(0).max(channel(1)).max(channel(2));
             (color_error, (f64::from(pixel.depth) - stored).abs(), fragment.color)
@@ -156,12 +215,7 @@ pub(super) fn difference(
 }
 
 /// Compares a picture with a reference; see [`difference`].
-pub(super) fn compare(
-    fixed: &FixedPicture,
-    reference: &Picture,
-    depth_max: f64,
-    unit: f64,
-) -> Deviation {
+pub(super) fn compare(fixed: &FixedPicture, reference: &Picture, depth: DepthFormat) -> Deviation {
     let [width, height] = fixed.size.map(|c| c as usize);
     let (mut pixels, mut coverage_mismatches, mut both) = (0, 0, 0);
     let (mut depth_max_ulp, mut color_max_error) = (0f64, 0f64);
@@ -170,7 +224,7 @@ pub(super) fn compare(
         for x in 0..width {
             let pixel = fixed.pixels[y * width + x];
             pixels += usize::from(pixel.depth != 0);
-            match difference(fixed, [x, y], depth_max, reference, unit) {
+            match difference(fixed, [x, y], depth, reference) {
                 Difference::Background => {}
                 Difference::OnlyFixed => {
                     coverage_mismatches += 1;
@@ -206,18 +260,25 @@ fn squares(color: [u8; 3], reference: [f64; 3]) -> f64 {
     square(0) + square(1) + square(2)
 }
 
-/// The largest distance in x or y between where the core places vertices and where the camera sees
-/// their points.
-pub(super) fn vertex_error(
+/// Compares where the core places vertices with their exact places. `exact` returns the place on
+/// the screen of a point in view space, and how far a vertex may lie off.
+pub(super) fn vertices(
     placed: &[Option<[f64; 2]>],
-    points: &[[f64; 3]],
-    camera: &Camera,
-) -> f64 {
-    let error = |(placed, point): (&Option<[f64; 2]>, &[f64; 3])| {
-        placed.map_or(0.0, |[x, y]| {
-            let exact = camera.to_screen(camera.to_view(*point));
-            (x - exact.x).abs().max((y - exact.y).abs())
-        })
-    };
-    placed.iter().zip(points).map(error).fold(0.0, f64::max)
+    points: impl Iterator<Item = [f64; 3]>,
+    exact: impl Fn([f64; 3]) -> ([f64; 2], f64),
+) -> Vertices {
+    let mut found = Vertices::default();
+    for (vertex, (placed, point)) in placed.iter().zip(points).enumerate() {
+        let Some([x, y]) = *placed else { continue };
+        let ([exact_x, exact_y], bound_px) = exact(point);
+        let error_px = (x - exact_x).abs().max((y - exact_y).abs());
+        let error = VertexError { vertex, error_px, bound_px };
+        found.vertex_error_max_px = found.vertex_error_max_px.max(error_px);
+        // Of infinite bounds, a quotient would not tell.
+        let is_worse = |worst: VertexError| error_px * worst.bound_px > worst.error_px * bound_px;
+        if found.vertex_worst.is_none_or(is_worse) {
+            found.vertex_worst = Some(error);
+        }
+    }
+    found
 }

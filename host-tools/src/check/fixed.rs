@@ -5,17 +5,19 @@ use std::time::{Duration, Instant};
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
+    attribute::FloatDepth,
     camera::Camera,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
-    output::StoredDepth,
     scene::Object,
     shade::{OnScreen, Shader},
 };
 
 use super::{
+    DefinedDepth, DepthFormat,
     object::{self, FixedPicture, screen_triangles, to_pixels},
-    view::{DepthFormat, Projection, Subpixel, View, ViewError},
+    surface::Surface,
+    view::{Projection, Subpixel, View, ViewError},
 };
 use crate::{
     model::Model,
@@ -30,23 +32,25 @@ pub(super) struct Drawn<'a> {
     pub(super) vertices: Vec<Option<[f64; 2]>>,
     /// How long the core takes for vertices and triangles.
     pub(super) time: Duration,
-    /// Draws the reference on the core's own vertices, with depth in units of the stored format.
+    /// Draws the reference on the core's own vertices, with depth from 0 to 1.
     pub(super) arithmetic: Box<dyn FnOnce() -> Picture + 'a>,
-    /// Draws the reference from the OBJ file's numbers, with depth from 0 to 1.
+    /// Draws the reference from the faces of the OBJ file, with depth from 0 to 1.
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
 
 /// Draws a model by the core.
 ///
 /// The reference interpolates what `placed` returns for a triangle and the stored varyings of a
-/// corner, or what `exact` returns for a corner in world space. `shade` colours both.
+/// corner, and `shade` colours it. From the faces of the file it interpolates what `exact` returns
+/// for a corner of [`Surface`], and `shade_exact` colours that.
 pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
-    model: &'a Model,
+    (model, surface): (&'a Model, &'a Surface),
     view: &View,
     shader: &Sh,
     placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+    shade: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
     exact: impl Fn(Corner) -> [f64; N] + 'a,
-    shade: impl Fn(Sample<N>) -> Option<[f64; 3]> + Clone + 'a,
+    shade_exact: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
     let Placed { picture, triangles, vertices, time } = match view.projection {
         Projection::Perspective { field_of_view_degrees } => {
@@ -56,16 +60,17 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
             by_camera(model, view, &view.orthographic(height)?, shader, placed)
         }
     }?;
-    let (camera, mesh) = (view.reference_camera(), view.reference_mesh(model));
+    let view = view.rounded();
     let size = view.size.map(|c| c as usize).into();
-    let colored = shade.clone();
     Ok(Drawn {
         picture,
         vertices,
         time,
-        arithmetic: Box::new(move || reference::draw_screen(&triangles, size, colored)),
+        arithmetic: Box::new(move || reference::draw_screen(&triangles, size, shade)),
         end_to_end: Box::new(move || {
-            reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, exact, shade)
+            let (camera, mesh) = (view.reference_camera(), surface.mesh(model, &view));
+            let back = reference::Culling::Back;
+            reference::draw_scene(&camera, &mesh, back, size, exact, shade_exact)
         }),
     })
 }
@@ -90,11 +95,17 @@ fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color = Rgb888>
         (Subpixel::S4, DepthFormat::U16) => {
             by_format::<N, S4, u16, _, _>(model, view, camera, shader, placed)
         }
+        (Subpixel::S4, DepthFormat::Float16) => {
+            by_format::<N, S4, FloatDepth, _, _>(model, view, camera, shader, placed)
+        }
         (Subpixel::S4, DepthFormat::U32) => {
             by_format::<N, S4, u32, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U16) => {
             by_format::<N, S8, u16, _, _>(model, view, camera, shader, placed)
+        }
+        (Subpixel::S8, DepthFormat::Float16) => {
+            by_format::<N, S8, FloatDepth, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U32) => {
             by_format::<N, S8, u32, _, _>(model, view, camera, shader, placed)
@@ -111,7 +122,7 @@ fn by_format<const N: usize, S, D, P, Sh>(
 ) -> Result<Placed<N>, ViewError>
 where
     S: numbers::Subpixel,
-    D: StoredDepth + Into<u32>,
+    D: DefinedDepth,
     P: geometry::Projection,
     Sh: Shader<Color = Rgb888>,
 {
@@ -123,7 +134,7 @@ where
     let projecting = start.elapsed();
     let (picture, drawing) = object::draw(&projected, view.area())?;
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-        (f64::from(corner.depth().into()), placed(triangle, corner.varyings()))
+        (corner.depth().depth(), placed(triangle, corner.varyings()))
     });
     let vertices =
         projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();

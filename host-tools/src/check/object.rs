@@ -11,17 +11,20 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
-    attribute::{DepthFormat, Interpolate},
+    attribute::Interpolate,
     geometry::{Projection, ScreenVertex},
     numbers::Subpixel,
-    output::{Blending, Frame, FrameError, StoredColor, StoredDepth},
+    output::{Blending, Frame, FrameError, StoredColor},
     scene::{Mode, Order, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
 
-use super::compare::{self, Deviation, Difference};
+use super::{
+    DefinedDepth,
+    compare::{self, Deviation, Difference},
+};
 use crate::reference::{
-    Picture, Sample, ScreenTriangle, ScreenVertex as ReferenceVertex, draw_screen,
+    DepthFormat, Picture, Sample, ScreenTriangle, ScreenVertex as ReferenceVertex, draw_screen,
 };
 
 /// A picture by the fixed-point core.
@@ -47,17 +50,17 @@ pub struct Pixel {
 pub struct Judged {
     /// The core's picture.
     pub fixed: FixedPicture,
-    /// The reference's picture, with depth in units of the stored format.
+    /// The reference's picture, with depth from 0 to 1.
     pub reference: Picture,
-    /// The stored depth of the near plane.
-    depth_max: f64,
+    /// How the core's picture stores depth.
+    depth: DepthFormat,
 }
 
 impl Judged {
     /// How far the core's picture is off.
     #[must_use]
     pub fn deviation(&self) -> Deviation {
-        compare::compare(&self.fixed, &self.reference, self.depth_max, 1.0)
+        compare::compare(&self.fixed, &self.reference, self.depth)
     }
 
     /// How the pixel (x, y) differs.
@@ -67,7 +70,7 @@ impl Judged {
     /// Panics if the pixel lies outside the picture.
     #[must_use]
     pub fn difference(&self, x: usize, y: usize) -> Difference {
-        compare::difference(&self.fixed, [x, y], self.depth_max, &self.reference, 1.0)
+        compare::difference(&self.fixed, [x, y], self.depth, &self.reference)
     }
 }
 
@@ -89,7 +92,7 @@ pub fn judge<const N: usize, V, P, Sh, M, O>(
 ) -> Result<Judged, FrameError>
 where
     for<'f> M::Blending: Blending<Frame<'f, Sh::Color, &'f mut [V::Depth]>>,
-    V: Vertices<OnScreen<Sh>, Depth: StoredDepth + Into<u32>>,
+    V: Vertices<OnScreen<Sh>, Depth: DefinedDepth>,
     P: Projection,
     Sh: Shader<Color: StoredColor + From<Rgb888> + Into<Rgb888>>,
     M: Mode,
@@ -97,12 +100,11 @@ where
 {
     let (fixed, _) = draw(projected, area)?;
     let triangles = screen_triangles(projected, area.top_left, |triangle, corner| {
-        (f64::from(corner.depth().into()), varyings(triangle, corner.varyings()))
+        (corner.depth().depth(), varyings(triangle, corner.varyings()))
     });
     let size = (area.size.width as usize, area.size.height as usize);
     let reference = draw_screen(&triangles, size, shade);
-    let depth_max = f64::from(V::Depth::from_fraction(u32::MAX).into());
-    Ok(Judged { fixed, reference, depth_max })
+    Ok(Judged { fixed, reference, depth: V::Depth::DEFINITION })
 }
 
 /// Draws a projected object by the core. Returns the picture of `area` and how long drawing takes.
@@ -112,7 +114,7 @@ pub(super) fn draw<V, P, Sh, M, O>(
 ) -> Result<(FixedPicture, Duration), FrameError>
 where
     for<'f> M::Blending: Blending<Frame<'f, Sh::Color, &'f mut [V::Depth]>>,
-    V: Vertices<OnScreen<Sh>, Depth: StoredDepth + Into<u32>>,
+    V: Vertices<OnScreen<Sh>, Depth: DefinedDepth>,
     P: Projection,
     Sh: Shader<Color: StoredColor + From<Rgb888> + Into<Rgb888>>,
     M: Mode,

@@ -8,6 +8,8 @@ use rasterizer::shade::{Flat, Gouraud, Shader as _, Unlit};
 
 use super::{
     fixed::{self, Drawn},
+    places::Levels,
+    surface::Surface,
     view::{View, ViewError},
 };
 use crate::{
@@ -38,49 +40,114 @@ const LEVELS: usize = 256;
 
 /// Draws the model by the shader of the view. The closures are the definition: what the reference
 /// interpolates, from the core's own vertices and from the OBJ file's numbers, and the colour.
-pub(super) fn draw<'a>(model: &'a Model, view: &View) -> Result<Drawn<'a>, ViewError> {
+pub(super) fn draw<'a>(
+    model: &'a Model,
+    surface: &'a Surface,
+    view: &View,
+) -> Result<Drawn<'a>, ViewError> {
     let (core_light, light) = (View::light(), view.reference_light());
     let colors = triangle_colors(model);
-    let lit = {
-        let colors = colors.clone();
-        move |Sample { triangle, varyings: [level], .. }: Sample<1>| {
-            Some(colors[triangle].map(|channel| channel * level))
-        }
+    let file_color =
+        |triangle: usize| model.exact.faces.faces[surface.faces[triangle]].color.map(f64::from);
+    let lit = move |Sample { triangle, varyings: [level], .. }: Sample<1>| {
+        Some(colors[triangle].map(|channel| channel * level))
+    };
+    let file_lit = move |Sample { triangle, varyings: [level], .. }: Sample<1>| {
+        Some(file_color(triangle).map(|channel| channel * level))
     };
     match view.shading {
         Shading::Flat => {
             let shader = Flat::<Rgb888>::new(core_light);
             let turned = shader.for_object(&view.pose());
-            let face_normals = view.pose_points(&model.exact.face_normals);
+            let normals = view.pose_points(&surface.triangle_normals(model));
             fixed::draw(
-                model,
+                (model, surface),
                 view,
                 &shader,
                 |triangle, []| [quantised_level(&turned, model.face_normals[triangle])],
-                move |corner: Corner| [light.level(face_normals[corner.triangle])],
                 lit,
+                move |corner: Corner| [light.level(normals[corner.triangle])],
+                file_lit,
             )
         }
         Shading::Gouraud => {
-            let vertex_normals = view.pose_points(&model.exact.vertex_normals);
+            let levels = corner_levels(model, surface, view);
             fixed::draw(
-                model,
+                (model, surface),
                 view,
                 &Gouraud::<Rgb888, LEVELS>::with_levels(core_light),
                 |_, [place]| [ramp_level(place)],
-                move |corner: Corner| [light.level(vertex_normals[corner.vertex])],
                 lit,
+                move |corner: Corner| [levels[corner.vertex][0]],
+                file_lit,
             )
         }
-        Shading::Unlit => fixed::draw(
-            model,
-            view,
-            &Unlit::<Rgb888>::new(),
-            |_, []| [],
-            |_| [],
-            move |sample: Sample<0>| Some(colors[sample.triangle]),
-        ),
+        Shading::Unlit => {
+            let colors = triangle_colors(model);
+            fixed::draw(
+                (model, surface),
+                view,
+                &Unlit::<Rgb888>::new(),
+                |_, []| [],
+                move |sample: Sample<0>| Some(colors[sample.triangle]),
+                |_| [],
+                move |sample: Sample<0>| Some(file_color(sample.triangle)),
+            )
+        }
     }
+}
+
+/// The levels of light that each face may have, however it is cut into triangles.
+pub(super) fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<Levels> {
+    let light = view.reference_light();
+    let faces = &model.exact.faces;
+    let darkest = light.ambient - NORMAL;
+    let any = [darkest, 1.0];
+    let within = |levels: &mut dyn Iterator<Item = f64>| {
+        let [low, high] = levels
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], l| [low.min(l), high.max(l)]);
+        [low - NORMAL, high + NORMAL]
+    };
+    match view.shading {
+        Shading::Unlit => vec![[1.0, 1.0]; faces.faces.len()],
+        Shading::Gouraud => {
+            let levels = corner_levels(model, surface, view);
+            (faces.faces.iter())
+                .map(|face| within(&mut levels[face.corners.clone()].iter().flatten().copied()))
+                .collect()
+        }
+        Shading::Flat => (0..faces.faces.len())
+            .map(|face| {
+                surface.possible_normals(faces, face).map_or(any, |normals| {
+                    within(&mut view.pose_points(&normals).into_iter().map(|n| light.level(n)))
+                })
+            })
+            .collect(),
+    }
+}
+
+/// By how much the level of a normal in 127ths may be off: it lies in the unit cube about the exact
+/// one, whose diagonal is the root of 3, and the light has a diffuse part below 0.85.
+const NORMAL: f64 = 0.85 * 1.733 / 127.0;
+
+/// The levels that each corner of each face may have, at least one.
+fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>> {
+    let light = view.reference_light();
+    let level = |normal| light.level(normal);
+    let of_vertices: Vec<f64> =
+        view.pose_points(&model.exact.vertex_normals).into_iter().map(level).collect();
+    let normals: Vec<_> =
+        surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
+    let of_faces = view.pose_points(&normals).into_iter().map(level);
+    let mut levels = Vec::with_capacity(surface.vertices.len());
+    for (face, of_face) in model.exact.faces.faces.iter().zip(of_faces) {
+        for vertices in &surface.vertices[face.corners.clone()] {
+            let known = vertices.iter().filter_map(|&vertex| of_vertices.get(vertex).copied());
+            let known: Vec<f64> = known.collect();
+            levels.push(if known.is_empty() { vec![of_face] } else { known });
+        }
+    }
+    levels
 }
 
 /// The level of a face by the definition, from its normal in the table and from a shader in object

@@ -13,8 +13,8 @@ use rasterizer::{
     shade::{Level, Light},
 };
 
-use super::Shading;
-use crate::{model::Model, reference};
+use super::{DepthFormat, Shading};
+use crate::reference;
 
 /// How finely vertices are placed on the screen.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -33,27 +33,6 @@ impl Subpixel {
         match self {
             Self::S4 => 4,
             Self::S8 => 8,
-        }
-    }
-}
-
-/// How depth is stored.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum DepthFormat {
-    /// 16 bits.
-    #[default]
-    U16,
-    /// 32 bits.
-    U32,
-}
-
-impl DepthFormat {
-    /// The stored value of the near plane.
-    #[must_use]
-    pub const fn max(self) -> f64 {
-        match self {
-            Self::U16 => u16::MAX as f64,
-            Self::U32 => u32::MAX as f64,
         }
     }
 }
@@ -273,6 +252,13 @@ impl View {
         }
     }
 
+    /// Points of the model in world space, by the rotation that the core is given.
+    pub(super) fn core_pose_points(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
+        let rows = self.pose().rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
+        let turn = |p: &[f64; 3]| rows.map(|row| (0..3).map(|i| row[i] * p[i]).sum());
+        points.iter().map(turn).collect()
+    }
+
     /// Points of the model in world space.
     pub(super) fn pose_points(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
         let angles = [self.yaw_degrees, self.pitch_degrees, self.roll_degrees].map(f64::to_radians);
@@ -283,14 +269,6 @@ impl View {
             [cr * x - sr * y, cr * y + sr * x, z]
         };
         points.iter().map(turn).collect()
-    }
-
-    /// The model in world space, from the OBJ file's own numbers.
-    pub(super) fn reference_mesh(&self, model: &Model) -> reference::Mesh {
-        reference::Mesh {
-            positions: self.pose_points(&model.exact.positions),
-            triangles: (0..).map_while(|i| model.triangles.as_triangles().get(i)).collect(),
-        }
     }
 }
 

@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{self, Bounds, Checked, Outcome, View},
+    check::{Bounds, Checked, Checker, Outcome, View},
     model::Model,
 };
 use serde::Serialize;
@@ -17,7 +17,8 @@ use serde::Serialize;
 use super::{
     Done, convert,
     image::{self, Legend},
-    output, png,
+    output::{self, Overwriting},
+    png,
     progress::Progress,
     render, table,
     view::{Settings, ViewOptions},
@@ -29,18 +30,30 @@ Examples:
   host-tools check model.obj --frames 60 --depth u32
   host-tools check model.obj --json | jq .arithmetic
 
-Exit status: 0 if the arithmetic keeps its bounds, 1 if not, 2 for bad usage or bad input.";
+What is judged:
+  Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
+                against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic.
+  End to end    Against the faces of the file, which the reference cuts into triangles by itself.
+                Each vertex may be off by half a quantum more. Each pixel that lies farther than
+                that from every edge must be covered, or free, and show the right face; so must be
+                covered those where faces meet.
+
+Exit status: 0 if all bounds are kept, also if the view shows nothing; 1 if not; 2 for bad usage or
+bad input.";
 
 /// Compare the fixed-point picture of a model with an f64 reference
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The OBJ file
+    /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
     /// Directory for fixed.png, reference.png and difference.png [default: target/check/NAME, or
     /// NAME-check without a directory target]
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
+    /// Overwrite pictures that are not from this program
+    #[arg(long)]
+    force: bool,
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
@@ -57,6 +70,15 @@ pub(super) struct Pictures {
     pub(super) reference: PathBuf,
     #[serde(serialize_with = "lossy")]
     pub(super) difference: PathBuf,
+}
+
+impl Pictures {
+    /// Refuses pictures that must not be overwritten.
+    pub(super) fn allow(&self, overwriting: Overwriting<'_>) -> Result<()> {
+        [&self.fixed, &self.reference, &self.difference]
+            .into_iter()
+            .try_for_each(|path| output::allow(path, output::PNG, overwriting))
+    }
 }
 
 /// Writes a path with replacement characters for what is not UTF-8, so that the result stays
@@ -96,6 +118,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let model = convert::load(path, &arguments.view.conversion())?;
     let view = arguments.view.view();
     let worst = worst_frame(path, &model, &view, frames)?;
+    if !worst.checked.outcome.shows_something() {
+        output::complain("warning", &render::nothing_seen(path));
+    }
     let directory = (arguments.pictures.clone()).unwrap_or_else(|| default_directory(path));
     fs::create_dir_all(&directory).map_err(|error| {
         anyhow!("{}: {error}: name another directory for the pictures", directory.display())
@@ -105,6 +130,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         reference: directory.join("reference.png"),
         difference: directory.join("difference.png"),
     };
+    let inputs = output::inputs(&model);
+    pictures.allow(Overwriting { force: arguments.force, inputs: &inputs })?;
     let legend = write_pictures(&worst.checked, &pictures)?;
 
     let outcome = worst.checked.outcome;
@@ -123,7 +150,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             within_bounds: is_within_bounds,
             pictures,
         };
-        serde_json::to_string_pretty(&object)? + "\n"
+        output::json(&object)?
     } else {
         let (vertices, triangles) = (model.report.vertices, model.report.triangles);
         let mut text = format!("{}: {vertices} vertices, {triangles} triangles\n", path.display());
@@ -132,42 +159,36 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             writeln!(text, "The worst of {frames} frames: frame {}", worst.frame)?;
         }
         writeln!(text, "\n{}", table::comparisons(&outcome, &Bounds::ARITHMETIC))?;
-        writeln!(text, "{}\n", table::meaning(&outcome, &Bounds::ARITHMETIC))?;
+        writeln!(text, "{}\n", table::meaning(&model, &outcome, &Bounds::ARITHMETIC))?;
         writeln!(text, "Fixed point  {}", pictures.fixed.display())?;
         writeln!(text, "Reference    {}", pictures.reference.display())?;
         writeln!(text, "Difference   {}", pictures.difference.display())?;
         text + &table::legend(&legend)
     };
-    Ok(Done { text, is_within_bounds })
+    Ok(Done { output: text.into(), is_within_bounds })
 }
 
 /// Checks every frame of the turntable and returns the worst: one that exceeds a bound, if any
 /// does.
 pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) -> Result<Worst> {
     let progress = Progress::over(frames, "checking");
+    let checker = Checker::new(model);
     let mut worst: Option<Worst> = None;
     for frame in 0..frames {
-        let checked = check::check(model, &view.turned(frame, frames))
+        let checked = checker
+            .check(&view.turned(frame, frames))
             .map_err(|error| render::refused(path, &error))?;
         let is_worse = |worst: &Worst| checked.outcome.badness() > worst.checked.outcome.badness();
-        if shows_something(&checked.outcome) && worst.as_ref().is_none_or(is_worse) {
+        if worst.as_ref().is_none_or(is_worse) {
             worst = Some(Worst { frame, checked });
         }
         progress.step();
     }
     drop(progress);
-    // Without a pixel there is nothing to check.
-    worst.with_context(|| render::nothing_seen(path))
+    worst.context("there is no frame to check")
 }
 
-/// Whether one of the pictures covers a pixel.
-const fn shows_something(outcome: &Outcome) -> bool {
-    let Outcome { arithmetic, end_to_end } = outcome;
-    let [arithmetic, end_to_end] = [arithmetic.deviation, end_to_end.deviation];
-    arithmetic.pixels + arithmetic.coverage_mismatches + end_to_end.coverage_mismatches > 0
-}
-
-/// Writes the three pictures of a frame.
+/// Writes the three pictures of a frame, which [`Pictures::allow`] allows.
 pub(super) fn write_pictures(checked: &Checked, pictures: &Pictures) -> Result<Legend> {
     let (difference, legend) = image::of_differences(checked, &Bounds::ARITHMETIC);
     let fixed = image::of_fixed(&checked.fixed, image::BACKGROUND);
@@ -177,11 +198,8 @@ pub(super) fn write_pictures(checked: &Checked, pictures: &Pictures) -> Result<L
         (&pictures.reference, reference),
         (&pictures.difference, difference),
     ];
-    for (path, _) in &files {
-        output::allow_png(path)?;
-    }
     for (path, image) in &files {
-        output::write_png(path, &png::still(image)?)?;
+        output::write(path, &png::still(image)?)?;
     }
     Ok(legend)
 }

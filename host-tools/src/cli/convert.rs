@@ -2,18 +2,27 @@
 
 use std::{
     fmt::Write as _,
+    io::{self, Read as _},
     path::{Path, PathBuf},
 };
 
-use anyhow::Result;
+use anyhow::{Context as _, Result, bail};
 use clap::{Args, ValueEnum};
-use host_tools::model::{Contents, Fit, Model, Options, Report, emit, write_atomically};
+use host_tools::model::{Contents, Fit, Model, Options, Report, emit};
 use serde::Serialize;
 
-use super::{Done, output, progress::Progress, view::within};
+use super::{
+    Done,
+    output::{self, Kind, Overwriting},
+    progress::Progress,
+    smoothing::Smoothing,
+};
 
-/// Every file of tables begins with these words.
-const MARK: &str = "// A model as const tables, written by host-tools ";
+/// Files of tables. Each begins with these words.
+const TABLES: Kind = Kind {
+    is_ours: |start| start.starts_with(b"// A model as const tables, written by host-tools "),
+    otherwise: "choose another name, remove it, or convert with --force",
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -21,6 +30,7 @@ Examples:
   host-tools convert model.obj -o firmware/src/model.rs --name SHIP
   host-tools convert model.obj --normals face        Flat shading needs no other normals
   host-tools convert model.obj --json | jq .flash
+  export | host-tools convert - -o - > model.rs       Standard input and output
 
 Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL`.";
 
@@ -28,9 +38,10 @@ Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The OBJ file
+    /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
-    /// Where to write the tables [default: the model's name with .rs, in this directory]
+    /// Where to write the tables; - for the standard output, without the report [default: the
+    /// model's name with .rs, in this directory]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// The name of the static, written in capitals [default: that of the model]
@@ -40,15 +51,11 @@ pub(super) struct Arguments {
     /// the origin
     #[arg(long)]
     keep_units: bool,
-    /// Up to this angle between two faces, a computed normal is smooth across their edge
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = Options::default().crease_degrees,
-        value_parser = within(0.0, 180.0),
-        allow_negative_numbers = true
-    )]
-    crease: f64,
+    #[command(flatten)]
+    smoothing: Smoothing,
+    /// Turn over faces that run against their neighbours, and closed parts that are inside out
+    #[arg(long)]
+    fix_winding: bool,
     /// Which normals: vertex for Gouraud shading, face for flat shading
     #[arg(long, value_name = "WHICH", default_value = "both")]
     normals: Normals,
@@ -75,13 +82,14 @@ impl Arguments {
     fn options(&self) -> Options {
         Options {
             fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
-            crease_degrees: self.crease,
+            fix_winding: self.fix_winding,
             contents: Contents {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
                 face_normals: matches!(self.normals, Normals::Face | Normals::Both),
                 texture_coordinates: self.texture_coordinates,
             },
             name: self.name.clone(),
+            ..self.smoothing.options()
         }
     }
 }
@@ -103,8 +111,17 @@ struct Json<'a> {
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let path =
         (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".rs"));
+    let is_standard = output::is_standard(&path);
+    if is_standard && arguments.json {
+        bail!("--json and -o - both write to the standard output: leave out one");
+    }
     let model = load(&arguments.model, &arguments.options())?;
-    write(&model, &path, arguments.force)?;
+    if is_standard {
+        return Ok(emit::source(&model).into());
+    }
+    let inputs = output::inputs(&model);
+    allow(&path, Overwriting { force: arguments.force, inputs: &inputs })?;
+    write(&model, &path)?;
     let text = if arguments.json {
         json(arguments, &path, &model)?
     } else {
@@ -127,14 +144,20 @@ fn json(arguments: &Arguments, path: &Path, model: &Model) -> Result<String> {
         flash_total: report.flash.total(),
         warnings: &model.warnings,
     };
-    Ok(serde_json::to_string_pretty(&object)? + "\n")
+    output::json(&object)
 }
 
 /// Loads a model and prints its warnings.
 pub(super) fn load(path: &Path, options: &Options) -> Result<Model> {
     let model = {
         let _progress = Progress::over(1, "reading the model");
-        Model::load(path, options)?
+        if output::is_standard(path) {
+            let mut bytes = Vec::new();
+            io::stdin().read_to_end(&mut bytes).context("the standard input cannot be read")?;
+            Model::from_bytes(path, &bytes, options)?
+        } else {
+            Model::load(path, options)?
+        }
     };
     for warning in &model.warnings {
         output::complain("warning", warning);
@@ -142,14 +165,12 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Model> {
     Ok(model)
 }
 
-/// Writes a model's tables. Without `force`, replaces only a file of tables.
-pub(super) fn write(model: &Model, path: &Path, force: bool) -> Result<()> {
-    // Every file begins with the empty mark.
-    let mark = if force { "" } else { MARK };
-    output::allow(
-        path,
-        mark.as_bytes(),
-        "choose another name, remove it, or convert with --force",
-    )?;
-    Ok(write_atomically(path, emit::source(model))?)
+/// Refuses a path for tables.
+pub(super) fn allow(path: &Path, overwriting: Overwriting<'_>) -> Result<()> {
+    output::allow(path, TABLES, overwriting)
+}
+
+/// Writes a model's tables.
+pub(super) fn write(model: &Model, path: &Path) -> Result<()> {
+    output::write(path, emit::source(model).as_bytes())
 }

@@ -27,6 +27,7 @@ const AMPLIFIED: [f64; 3] = [255.0, 214.0, 0.0];
 const ONLY_FIXED: [u8; 3] = [255, 0, 255];
 const ONLY_REFERENCE: [u8; 3] = [0, 255, 255];
 const OUT_OF_BOUNDS: [u8; 3] = [255, 0, 0];
+const WRONG_PLACE: [u8; 3] = [255, 128, 0];
 const NOTHING: [u8; 3] = [0x0C, 0x0E, 0x12];
 
 /// How many pixels the difference picture marks in each colour.
@@ -40,17 +41,20 @@ pub(super) struct Legend {
     pub(super) only_reference: usize,
     /// Where the arithmetic exceeds a bound.
     pub(super) out_of_bounds: usize,
+    /// Wrong though no edge is close.
+    pub(super) wrong: usize,
 }
 
 impl Legend {
     /// Each colour of the difference picture, its meaning, and how many pixels have it.
-    pub(super) fn lines(&self) -> [(&'static str, String, usize); 4] {
+    pub(super) fn lines(&self) -> [(&'static str, String, usize); 5] {
         let same = format!("colours differ, amplified {AMPLIFICATION} times");
         [
             ("yellow", same, self.amplified),
             ("magenta", "only the fixed-point picture covers the pixel".into(), self.only_fixed),
             ("cyan", "only the reference covers it".into(), self.only_reference),
             ("red", "the arithmetic exceeds a bound".into(), self.out_of_bounds),
+            ("orange", "rounding doesn't explain the pixel".into(), self.wrong),
         ]
     }
 }
@@ -72,7 +76,7 @@ pub(super) fn of_reference(picture: &Picture, background: [u8; 3]) -> Image {
 /// The differences of the fixed-point picture from the end-to-end reference, over a dim grey
 /// picture of the model. A frame round each pixel in a loud colour makes even a single one visible.
 pub(super) fn of_differences(checked: &Checked, bounds: &Bounds) -> (Image, Legend) {
-    let mut legend = Legend::default();
+    let mut legend = Legend { wrong: checked.wrong.len(), ..Legend::default() };
     let mut image = over(&checked.end_to_end, |x, y| {
         if exceeds(&checked.arithmetic_difference(x, y), bounds) {
             legend.out_of_bounds += 1;
@@ -98,7 +102,11 @@ pub(super) fn of_differences(checked: &Checked, bounds: &Bounds) -> (Image, Lege
             }
         }
     });
-    image.frame(&[ONLY_FIXED, ONLY_REFERENCE, OUT_OF_BOUNDS]);
+    for wrong in &checked.wrong {
+        let [x, y] = wrong.pixel;
+        image.rgb[y * checked.end_to_end.width() + x] = WRONG_PLACE;
+    }
+    image.frame(&[ONLY_FIXED, ONLY_REFERENCE, OUT_OF_BOUNDS, WRONG_PLACE]);
     (image, legend)
 }
 
@@ -159,7 +167,7 @@ impl Image {
 #[cfg(test)]
 mod tests {
     use host_tools::{
-        check::{Comparison, DepthFormat, Deviation, Outcome},
+        check::{Comparison, DepthFormat, Deviation, Fault, Outcome, Places, Vertices, Wrong},
         reference::{ScreenTriangle, ScreenVertex, draw_screen},
     };
 
@@ -196,17 +204,25 @@ mod tests {
                 color_max_error: 0.0,
                 psnr_db: None,
             },
-            vertex_error_max_px: 0.0,
+            vertices: Vertices::default(),
             fixed_ms: 0.0,
             reference_ms: 0.0,
         };
         Checked {
-            outcome: Outcome { arithmetic: comparison, end_to_end: comparison },
+            outcome: Outcome {
+                arithmetic: comparison,
+                end_to_end: comparison,
+                places: Places::default(),
+            },
+            wrong: vec![Wrong { pixel: [7, 0], fault: Fault::Hole, line: Some(1), triangle: None }],
             fixed: FixedPicture { size: [WIDTH as u32, 1], pixels },
-            arithmetic: row(&[(1, 108.0), (3, 108.0), (5, 100.0)], DEPTH.into()),
+            arithmetic: row(
+                &[(1, 108.0), (3, 108.0), (5, 100.0)],
+                DepthFormat::U16.definition().depth(DEPTH),
+            ),
             end_to_end: row(
                 &[(1, 100.0), (2, 50.0), (5, 100.0)],
-                f64::from(DEPTH) / DepthFormat::U16.max(),
+                DepthFormat::U16.definition().depth(DEPTH),
             ),
             depth: DepthFormat::U16,
         }
@@ -221,9 +237,11 @@ mod tests {
         assert_eq!(image.rgb[1], [255, 214, 0]);
         assert_eq!(image.rgb[2..6], [ONLY_REFERENCE, ONLY_FIXED, OUT_OF_BOUNDS, [57; 3]]);
         assert_eq!(image.rgb[6], ONLY_REFERENCE.map(|c| c / 2));
+        assert_eq!(image.rgb[7], WRONG_PLACE);
         assert_eq!(image.rgb[8], OUT_OF_BOUNDS.map(|c| c / 2));
         assert_eq!(image.rgb[9], NOTHING);
-        let expected = Legend { amplified: 1, only_fixed: 1, only_reference: 1, out_of_bounds: 1 };
+        let expected =
+            Legend { amplified: 1, only_fixed: 1, only_reference: 1, out_of_bounds: 1, wrong: 1 };
         assert_eq!(legend, expected);
     }
 

@@ -9,6 +9,8 @@ mod png;
 mod progress;
 mod render;
 mod showcase;
+mod signals;
+mod smoothing;
 mod table;
 mod view;
 
@@ -16,7 +18,7 @@ use std::{ffi::OsStr, path::PathBuf, process::ExitCode};
 
 use anyhow::Result;
 use clap::{
-    Parser, Subcommand,
+    CommandFactory as _, Parser, Subcommand,
     builder::{PathBufValueParser, TypedValueParser as _},
     error::ErrorKind,
 };
@@ -44,6 +46,9 @@ struct Arguments {
     /// The OBJ file to convert, render and check [default: the bundled rocket]
     #[arg(value_parser = PathBufValueParser::new().try_map(no_mistyped_command))]
     model: Option<PathBuf>,
+    /// Overwrite files that are not from this program
+    #[arg(long, requires = "model")]
+    force: bool,
 }
 
 /// Accepts all paths except a bare word that is not a file. It is probably a mistyped command, so
@@ -66,15 +71,15 @@ enum Command {
 /// The result of a command after its files are written.
 struct Done {
     /// For the standard output.
-    text: String,
+    output: Vec<u8>,
     /// Whether all bounds are kept.
     is_within_bounds: bool,
 }
 
-impl From<String> for Done {
+impl<T: Into<Vec<u8>>> From<T> for Done {
     /// For commands that have no bounds.
-    fn from(text: String) -> Self {
-        Self { text, is_within_bounds: true }
+    fn from(output: T) -> Self {
+        Self { output: output.into(), is_within_bounds: true }
     }
 }
 
@@ -85,6 +90,7 @@ pub(crate) fn run() -> ExitCode {
         // cannot follow a model. Parsing the first word alone gives the better error.
         if error.kind() == ErrorKind::ArgumentConflict
             && let Some(word) = std::env::args_os().nth(1)
+            && !Arguments::command().get_subcommands().any(|command| *command.get_name() == *word)
         {
             let _ = Arguments::try_parse_from([OsStr::new("host-tools"), &word])
                 .map_err(|error| error.exit());
@@ -95,9 +101,9 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Convert(arguments)) => convert::run(arguments),
         Some(Command::Render(arguments)) => render::run(arguments),
         Some(Command::Check(arguments)) => check::run(arguments),
-        None => showcase::run(arguments.model.as_deref()),
+        None => showcase::run(arguments.model.as_deref(), arguments.force),
     };
-    let told = done.and_then(|done| output::print(&done.text).map(|()| done.is_within_bounds));
+    let told = done.and_then(|done| output::print(&done.output).map(|()| done.is_within_bounds));
     ExitCode::from(status(told))
 }
 
@@ -116,8 +122,6 @@ fn status(told: Result<bool>) -> u8 {
 
 #[cfg(test)]
 mod tests {
-    use clap::CommandFactory as _;
-
     use super::*;
 
     #[test]

@@ -5,6 +5,16 @@ use png::{BitDepth, ColorType, Encoder};
 
 use super::image::Image;
 
+/// The value of the keyword "Software" in every picture of this program.
+const SOFTWARE: &str = concat!("host-tools ", env!("CARGO_PKG_VERSION"));
+
+/// Whether a file that begins with these bytes is a picture of this program, of any version.
+pub(super) fn is_ours(start: &[u8]) -> bool {
+    /// The type of a text chunk, its keyword, and how every version begins the text.
+    const MARK: &[u8] = b"tEXtSoftware\0host-tools ";
+    start.starts_with(b"\x89PNG\r\n\x1a\n") && start.windows(MARK.len()).any(|part| part == MARK)
+}
+
 /// The time that an animation takes for a full turn.
 const TURN_SECONDS: u16 = 3;
 /// Many viewers slow down animations with more frames per second than this.
@@ -29,6 +39,7 @@ pub(super) fn animation(
     let mut encoder = Encoder::new(&mut bytes, width, height);
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
+    encoder.add_text_chunk("Software".into(), SOFTWARE.into())?;
     if frames > 1 {
         encoder.set_animated(frames.into(), 0)?;
         if frames <= TURN_SECONDS * MOST_FRAMES_A_SECOND {

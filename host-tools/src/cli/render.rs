@@ -3,13 +3,22 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
-use clap::Args;
+use clap::{
+    Args,
+    builder::{PathBufValueParser, TypedValueParser as _},
+};
 use host_tools::{
     check::{self, FixedPicture, View, ViewError},
     model::Model,
 };
 
-use super::{Done, convert, image, output, png, progress::Progress, view::ViewOptions};
+use super::{
+    Done, convert, image,
+    output::{self, Overwriting},
+    png,
+    progress::Progress,
+    view::ViewOptions,
+};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -22,11 +31,15 @@ Examples:
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The OBJ file
+    /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
-    /// Where to write the picture [default: the model's name with .png, in this directory]
-    #[arg(short, long, value_name = "FILE")]
+    /// Where to write the picture, a .png; - for the standard output [default: the model's name
+    /// with .png, in this directory]
+    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(png_file))]
     output: Option<PathBuf>,
+    /// Overwrite a file that is not from this program
+    #[arg(long)]
+    force: bool,
     /// The background's colour in hexadecimal [default: a dark grey-blue]
     #[arg(long, value_name = "RRGGBB", value_parser = color)]
     background: Option<Color>,
@@ -35,6 +48,16 @@ pub(super) struct Arguments {
     rgb565: bool,
     #[command(flatten)]
     view: ViewOptions,
+}
+
+/// Refuses the ending of another format.
+fn png_file(path: PathBuf) -> Result<PathBuf, &'static str> {
+    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
+    if is_png || output::is_standard(&path) {
+        Ok(path)
+    } else {
+        Err("pictures are PNG files: give the name the ending .png")
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,8 +74,13 @@ fn color(text: &str) -> Result<Color, String> {
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let path =
         (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".png"));
-    output::allow_png(&path)?;
+    let is_standard = output::is_standard(&path);
     let model = convert::load(&arguments.model, &arguments.view.conversion())?;
+    if !is_standard {
+        let inputs = output::inputs(&model);
+        let overwriting = Overwriting { force: arguments.force, inputs: &inputs };
+        output::allow(&path, output::PNG, overwriting)?;
+    }
     let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
     let (view, frames) = (arguments.view.view(), arguments.view.frames);
 
@@ -68,10 +96,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         });
         png::animation(view.size, u16::try_from(frames)?, images)?
     };
-    output::write_png(&path, &bytes)?;
     if is_empty {
         output::complain("warning", &nothing_seen(&arguments.model));
     }
+    if is_standard {
+        return Ok(bytes.into());
+    }
+    output::write(&path, &bytes)?;
     let [width, height] = view.size;
     let frames = if frames > 1 { format!(", {frames} frames") } else { String::new() };
     Ok(format!("Wrote {}: {width}x{height} pixels{frames}\n", path.display()).into())

@@ -14,7 +14,9 @@ use host_tools::{
 use super::{
     Done,
     check::{Pictures, worst_frame, write_pictures},
-    convert, image, output, png, render, table,
+    convert, image,
+    output::{self, Overwriting},
+    png, render, table,
     view::Settings,
 };
 
@@ -24,7 +26,7 @@ const DIRECTORY: &str = "target";
 /// The number of sides that the check draws the model from.
 const FRAMES: u32 = 12;
 
-pub(super) fn run(model: Option<&Path>) -> Result<Done> {
+pub(super) fn run(model: Option<&Path>, force: bool) -> Result<Done> {
     let path = model.map_or_else(shipped_model, |path| Ok(path.into()))?;
     let model = convert::load(&path, &Options::default())?;
     let view = View::default();
@@ -42,18 +44,20 @@ pub(super) fn run(model: Option<&Path>) -> Result<Done> {
         reference: file("-reference.png"),
         difference: file("-difference.png"),
     };
-    for picture in [&rendered, &pictures.fixed, &pictures.reference, &pictures.difference] {
-        output::allow_png(picture)?;
-    }
-    convert::write(&model, &tables, false)?;
-    output::write_png(&rendered, &png::still(&picture)?)?;
+    let inputs = output::inputs(&model);
+    let overwriting = Overwriting { force, inputs: &inputs };
+    output::allow(&rendered, output::PNG, overwriting)?;
+    pictures.allow(overwriting)?;
+    convert::allow(&tables, overwriting)?;
+    convert::write(&model, &tables)?;
+    output::write(&rendered, &png::still(&picture)?)?;
     let legend = write_pictures(&worst.checked, &pictures)?;
 
     let report = model.report;
     let outcome = worst.checked.outcome;
     let bounds = Bounds::ARITHMETIC;
     let name = &model.name;
-    let lower = name.to_lowercase();
+    let module = module_name(name);
     let text = format!(
         "\
 {model}: {vertices} vertices, {triangles} triangles
@@ -70,7 +74,7 @@ Difference  {difference}
 {meaning}
 
 Next: look at {rendered}. To put the model on a display, copy {tables} into your
-firmware's src as {lower}.rs, add `mod {lower};` and draw `{lower}::{name}`, as the README shows.
+firmware's src as {module}.rs, add `mod {module};` and draw `{module}::{name}`, as the README shows.
 More: host-tools --help
 ",
         model = path.display(),
@@ -86,9 +90,9 @@ More: host-tools --help
         difference = pictures.difference.display(),
         legend = table::legend(&legend),
         comparisons = table::comparisons(&outcome, &bounds),
-        meaning = table::meaning(&outcome, &bounds),
+        meaning = table::meaning(&model, &outcome, &bounds),
     );
-    Ok(Done { text, is_within_bounds: outcome.is_within(&bounds) })
+    Ok(Done { output: text.into(), is_within_bounds: outcome.is_within(&bounds) })
 }
 
 /// The bundled rocket, in the directory of the program's sources.
@@ -98,4 +102,49 @@ fn shipped_model() -> Result<PathBuf> {
         bail!("{} is missing: name a model, as in `host-tools model.obj`", path.display());
     }
     Ok(path)
+}
+
+/// A module for the static of this name: in small letters, with `_model` behind names that the
+/// firmware has already, or that the compiler or Cargo take for something else.
+fn module_name(name: &str) -> String {
+    #[rustfmt::skip]
+    const TAKEN: &[&str] = &[
+        // Keywords, of all editions and reserved ones.
+        "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "crate",
+        "do", "dyn", "else", "enum", "extern", "false", "final", "fn", "for", "gen", "if", "impl",
+        "in", "let", "loop", "macro", "match", "mod", "move", "mut", "override", "priv", "pub",
+        "ref", "return", "self", "static", "struct", "super", "trait", "true", "try", "type",
+        "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
+        // Files with a meaning.
+        "bin", "build", "lib", "main", "tests",
+        // Types, which a module would hide.
+        "bool", "char", "f16", "f32", "f64", "f128", "i8", "i16", "i32", "i64", "i128", "isize",
+        "str", "u8", "u16", "u32", "u64", "u128", "usize",
+        // Crates, which a module would hide.
+        "alloc", "bytemuck", "core", "defmt", "embedded_graphics", "embedded_graphics_core",
+        "fixed", "micromath", "proc_macro", "rasterizer", "std", "test",
+    ];
+    let module = name.to_lowercase();
+    if TAKEN.contains(&&*module) { module + "_model" } else { module }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn modules_hide_nothing_and_are_no_keywords() {
+        for (name, module) in [
+            ("SPOT", "spot"),
+            ("MODEL_2CV", "model_2cv"),
+            ("TYPE", "type_model"),
+            ("MAIN", "main_model"),
+            ("SELF", "self_model"),
+            ("CORE", "core_model"),
+            ("RASTERIZER", "rasterizer_model"),
+            ("U8", "u8_model"),
+        ] {
+            assert_eq!(module_name(name), module);
+        }
+    }
 }

@@ -1,8 +1,8 @@
 //! The comparison as a table and in words.
 
 use host_tools::{
-    check::{Bounds, Comparison, Deviation, Outcome},
-    model::thousands,
+    check::{Bounds, Comparison, Deviation, Fault, Outcome, VertexError, Wrong},
+    model::{Model, thousands},
 };
 
 use super::image::Legend;
@@ -10,55 +10,118 @@ use super::image::Legend;
 /// Both comparisons side by side, with the bounds and whether they are kept.
 pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     type Figure = fn(&Comparison) -> String;
-    let found = &outcome.arithmetic.deviation;
+    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let found = &arithmetic.deviation;
     let bound =
         |found: f64, bound: f64| format!("{bound} {}", if found <= bound { "ok" } else { "FAIL" });
     let coverage = bound(found.coverage_mismatches as f64, bounds.coverage_mismatches as f64);
     let depth = bound(found.depth_max_ulp, bounds.depth_max_ulp);
     let color = bound(found.color_max_error, bounds.color_max_error);
+    let [vertices, exact_vertices] = [arithmetic, end_to_end].map(|comparison| {
+        let verdict = if comparison.vertices.are_within() { "ok" } else { "FAIL" };
+        let worst = comparison.vertices.vertex_worst;
+        worst.map_or_else(String::new, |worst| format!("{:.4} {verdict}", worst.bound_px))
+    });
     let psnr = |c: &Comparison| {
         c.deviation.psnr_db.map_or_else(|| "equal".into(), |db| format!("{db:.1}"))
     };
-    let rows: [(&str, Figure, &str); 9] = [
-        ("Pixels covered", |c| thousands(c.deviation.pixels), ""),
-        ("Coverage mismatches, pixels", |c| thousands(c.deviation.coverage_mismatches), &coverage),
-        ("Depth error at most, units", |c| c.deviation.depth_max_ulp.to_string(), &depth),
-        ("Depth error, root mean square", |c| format!("{:.3}", c.deviation.depth_rms_ulp), ""),
-        ("Colour error at most, of 255", |c| c.deviation.color_max_error.to_string(), &color),
-        ("PSNR, dB", psnr, ""),
-        ("Vertices off by at most, pixels", |c| format!("{:.4}", c.vertex_error_max_px), ""),
-        ("Fixed-point core, ms", |c| format!("{:.2}", c.fixed_ms), ""),
-        ("Reference, ms", |c| format!("{:.2}", c.reference_ms), ""),
+    let rows: [(&str, Figure, &str, &str); 9] = [
+        ("Pixels covered", |c| thousands(c.deviation.pixels), "", ""),
+        (
+            "Coverage mismatches, pixels",
+            |c| thousands(c.deviation.coverage_mismatches),
+            &coverage,
+            "",
+        ),
+        ("Depth error at most, units", |c| c.deviation.depth_max_ulp.to_string(), &depth, ""),
+        ("Depth error, root mean square", |c| format!("{:.3}", c.deviation.depth_rms_ulp), "", ""),
+        ("Colour error at most, of 255", |c| c.deviation.color_max_error.to_string(), &color, ""),
+        ("PSNR, dB", psnr, "", ""),
+        (
+            "Vertices off by at most, pixels",
+            |c| format!("{:.4}", c.vertices.vertex_error_max_px),
+            &vertices,
+            &exact_vertices,
+        ),
+        ("Fixed-point core, ms", |c| format!("{:.2}", c.fixed_ms), "", ""),
+        ("Reference, ms", |c| format!("{:.2}", c.reference_ms), "", ""),
     ];
-    let line = |title: &str, arithmetic: &str, bound: &str, end_to_end: &str| {
-        format!("{title:<32}{arithmetic:>12}  {bound:<8}{end_to_end:>12}\n")
+    let line = |title: &str, [arithmetic, bound, end_to_end, exact_bound]: [&str; 4]| {
+        let line =
+            format!("{title:<32}{arithmetic:>12}  {bound:<12}{end_to_end:>12}  {exact_bound}");
+        line.trim_end().to_owned() + "\n"
     };
-    let mut text = line("", "Arithmetic", "Bound", "End to end");
-    for (title, figure, bound) in rows {
-        text += &line(title, &figure(&outcome.arithmetic), bound, &figure(&outcome.end_to_end));
+    let mut text = line("", ["Arithmetic", "Bound", "End to end", "Bound"]);
+    for (title, figure, bound, exact_bound) in rows {
+        text += &line(title, [&figure(arithmetic), bound, &figure(end_to_end), exact_bound]);
     }
+    let judged = thousands(places.judged);
+    text += &line("Pixels judged by their place", ["", "", &judged, ""]);
+    let wrong = bound(places.wrong as f64, 0.0);
+    text += &line("Wrong pixels among these", ["", "", &thousands(places.wrong), &wrong]);
     text
 }
 
 /// The comparisons in words.
-pub(super) fn meaning(outcome: &Outcome, bounds: &Bounds) -> String {
-    let verdict = if outcome.is_within(bounds) {
+pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> String {
+    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let mut text = if arithmetic.is_within(bounds) {
         "Arithmetic: within bounds. The core draws its own vertices as exact arithmetic does."
+            .to_owned()
     } else {
         "Arithmetic: OUT OF BOUNDS. The core computes wrong values. Please report this with the \
          model."
+            .to_owned()
     };
-    let Deviation { pixels, coverage_mismatches, .. } = outcome.end_to_end.deviation;
+    let vertex = |error: VertexError, rounded: &str| {
+        let [x, y, z] = model.exact.positions[error.vertex];
+        format!(
+            "\n  Vertex {} at ({x:.6}, {y:.6}, {z:.6}) lies {:.4} pixels off its place{rounded}, and \
+             may lie {:.4}.",
+            error.vertex, error.error_px, error.bound_px
+        )
+    };
+    if let Some(worst) = arithmetic.vertices.out_of_bounds() {
+        text += &vertex(worst, "");
+    }
+    let Deviation { pixels, coverage_mismatches, .. } = end_to_end.deviation;
     let share = 100.0 * coverage_mismatches as f64 / pixels.max(1) as f64;
-    format!(
-        "{verdict}\n\
-         End to end: against the unrounded model, {} of {} pixels ({share:.2} %) fall on the \
-         other side of its outline.\n\
-         A large colour or depth error there is most often a pixel at an inner edge that shows \
-         the face next to it.",
+    text += &format!(
+        "\nEnd to end: against the faces of the file, {} of {} pixels ({share:.2} %) fall on the \
+         other side of an outline.\n",
         thousands(coverage_mismatches),
         thousands(pixels)
-    )
+    );
+    text += if places.wrong == 0 && end_to_end.vertices.are_within() {
+        "Rounding explains them all: no pixel is wrong beyond it, and no vertex.\n"
+    } else {
+        "OUT OF BOUNDS: rounding doesn't explain this. Please report it with the model.\n"
+    };
+    if let Some(worst) = end_to_end.vertices.out_of_bounds() {
+        text += vertex(worst, " in the file").trim_start_matches('\n');
+        text += "\n";
+    }
+    if let Some(first) = places.first {
+        text += &format!("  {} wrong pixels. {}\n", thousands(places.wrong), place(model, first));
+    }
+    text + "A large colour or depth error there is most often a pixel at an inner edge that shows the \
+            face next to it."
+}
+
+/// A wrong pixel in words.
+fn place(model: &Model, Wrong { pixel: [x, y], fault, line, triangle }: Wrong) -> String {
+    let file = model.inputs.first().map_or_else(String::new, |path| path.display().to_string());
+    let face = line.map_or_else(|| "no face".into(), |line| format!("the face at {file}:{line}"));
+    let drawn = triangle.map_or_else(String::new, |triangle| {
+        format!("; the core draws triangle {triangle} of the tables")
+    });
+    let what = match fault {
+        Fault::Hole => format!("is not covered, but {face} covers it"),
+        Fault::Extra => format!("is covered, but no face of {file} covers it{drawn}"),
+        Fault::Surface => format!("should show {face}, by its depth{drawn}"),
+        Fault::Color => format!("should show the colour of {face}{drawn}"),
+    };
+    format!("The first, column {x} of row {y}, {what}.")
 }
 
 /// The colours of the difference picture that occur.
@@ -77,6 +140,11 @@ pub(super) fn legend(legend: &Legend) -> String {
 
 #[cfg(test)]
 mod tests {
+    use host_tools::{
+        check::{Places, Vertices},
+        model::Options,
+    };
+
     use super::*;
 
     fn outcome(depth_max_ulp: f64) -> Outcome {
@@ -88,15 +156,25 @@ mod tests {
             color_max_error: 1.0,
             psnr_db: None,
         };
+        let vertices = |error_px| Vertices {
+            vertex_error_max_px: error_px,
+            vertex_worst: Some(VertexError { vertex: 2, error_px, bound_px: 0.0024 }),
+        };
         let comparison =
-            Comparison { deviation, vertex_error_max_px: 0.001, fixed_ms: 1.0, reference_ms: 2.0 };
+            Comparison { deviation, vertices: vertices(0.001), fixed_ms: 1.0, reference_ms: 2.0 };
         Outcome {
             arithmetic: comparison,
             end_to_end: Comparison {
                 deviation: Deviation { coverage_mismatches: 123, ..deviation },
                 ..comparison
             },
+            places: Places { judged: 54_321, wrong: 0, first: None },
         }
+    }
+
+    fn gear() -> Model {
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/models/gear.obj");
+        Model::load(path, &Options::default()).unwrap()
     }
 
     #[test]
@@ -104,14 +182,47 @@ mod tests {
         let bounds = Bounds::ARITHMETIC;
         let (good, bad) =
             (comparisons(&outcome(1.0), &bounds), comparisons(&outcome(2.0), &bounds));
-        assert_eq!((good.matches(" ok ").count(), good.matches("FAIL").count()), (3, 0), "{good}");
-        assert_eq!((bad.matches(" ok ").count(), bad.matches("FAIL").count()), (2, 1), "{bad}");
+        let count =
+            |text: &str, word| text.split_whitespace().filter(|found| *found == word).count();
+        assert_eq!((count(&good, "ok"), count(&good, "FAIL")), (6, 0), "{good}");
+        assert_eq!((count(&bad, "ok"), count(&bad, "FAIL")), (5, 1), "{bad}");
         assert!(
             bad.lines()
                 .any(|line| line.starts_with("Depth error at most") && line.contains("1 FAIL"))
         );
         assert!(good.contains("12,345") && good.contains("equal"), "{good}");
-        assert!(meaning(&outcome(1.0), &bounds).contains("123 of 12,345 pixels (1.00 %)"));
-        assert!(meaning(&outcome(2.0), &bounds).contains("OUT OF BOUNDS"));
+        assert!(good.contains("54,321") && good.contains("0.0024 ok"), "{good}");
+        let model = gear();
+        let good = meaning(&model, &outcome(1.0), &bounds);
+        assert!(good.contains("123 of 12,345 pixels (1.00 %)"), "{good}");
+        assert!(!good.contains("OUT OF BOUNDS") && good.contains("Rounding explains"), "{good}");
+        assert!(meaning(&model, &outcome(2.0), &bounds).contains("OUT OF BOUNDS"));
+    }
+
+    #[test]
+    fn what_is_wrong_is_named_with_its_place() {
+        let (model, bounds) = (gear(), Bounds::ARITHMETIC);
+        let mut bad = outcome(1.0);
+        bad.end_to_end.vertices.vertex_worst =
+            Some(VertexError { vertex: 2, error_px: 0.5, bound_px: 0.25 });
+        let text = meaning(&model, &bad, &bounds);
+        assert!(text.contains("Vertex 2 at (") && text.contains("0.5000 pixels off"), "{text}");
+        assert!(text.contains("may lie 0.2500"), "{text}");
+        assert!(comparisons(&bad, &bounds).contains("0.2500 FAIL"));
+
+        for (fault, line, triangle, parts) in [
+            (Fault::Hole, Some(9), None, ["is not covered", "gear.obj:9"]),
+            (Fault::Extra, None, Some(5), ["no face", "triangle 5 of the tables"]),
+            (Fault::Surface, Some(9), Some(5), ["by its depth", "gear.obj:9"]),
+            (Fault::Color, Some(9), Some(5), ["the colour of", "gear.obj:9"]),
+        ] {
+            let first = Some(Wrong { pixel: [7, 3], fault, line, triangle });
+            let bad = Outcome { places: Places { judged: 8, wrong: 4, first }, ..outcome(1.0) };
+            let text = meaning(&model, &bad, &bounds);
+            assert!(text.contains("OUT OF BOUNDS"), "{text}");
+            assert!(text.contains("4 wrong pixels. The first, column 7 of row 3,"), "{text}");
+            assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+            assert!(comparisons(&bad, &bounds).contains("0 FAIL"));
+        }
     }
 }

@@ -10,11 +10,12 @@ use host_tools::{
 };
 use serde::Serialize;
 
+use super::smoothing::Smoothing;
+
 /// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
 
 const SUBPIXELS: [(&str, Subpixel); 2] = [("4", Subpixel::S4), ("8", Subpixel::S8)];
-const DEPTHS: [(&str, DepthFormat); 2] = [("u16", DepthFormat::U16), ("u32", DepthFormat::U32)];
 
 /// The view: from a point on the z axis toward the origin, about which the model is turned.
 #[derive(Clone, Debug, Args)]
@@ -35,8 +36,8 @@ pub(super) struct ViewOptions {
     #[arg(
         long,
         value_name = "FORMAT",
-        default_value = name(&DEPTHS, View::default().depth),
-        value_parser = choice(&DEPTHS)
+        default_value = name(&DepthFormat::NAMES, View::default().depth),
+        value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
     /// How triangles are coloured
@@ -118,15 +119,11 @@ pub(super) struct ViewOptions {
         allow_negative_numbers = true
     )]
     roll: f64,
-    /// Up to this angle between two faces, a computed normal is smooth across their edge
-    #[arg(
-        long,
-        value_name = "DEGREES",
-        default_value_t = Options::default().crease_degrees,
-        value_parser = within(0.0, 180.0),
-        allow_negative_numbers = true
-    )]
-    crease: f64,
+    #[command(flatten)]
+    smoothing: Smoothing,
+    /// Turn over faces that run against their neighbours, and closed parts that are inside out
+    #[arg(long)]
+    fix_winding: bool,
     /// Frames of a full turn about y, 1 to 360
     #[arg(
         long,
@@ -161,7 +158,7 @@ impl ViewOptions {
 
     /// The conversion of the model for it.
     pub(super) fn conversion(&self) -> Options {
-        Options { crease_degrees: self.crease, ..Options::default() }
+        Options { fix_winding: self.fix_winding, ..self.smoothing.options() }
     }
 }
 
@@ -196,7 +193,7 @@ impl Settings {
         Self {
             size: view.size,
             subpixel: view.subpixel.bits(),
-            depth: name(&DEPTHS, view.depth),
+            depth: name(&DepthFormat::NAMES, view.depth),
             shading: name(&Shading::NAMES, view.shading),
             distance: view.distance,
             fov,
@@ -299,7 +296,9 @@ mod tests {
             shading: Shading::Flat,
         };
         assert_eq!(options.view(), expected);
-        assert_eq!((options.conversion().crease_degrees, options.frames), (10.0, 5));
+        let conversion = options.conversion();
+        assert_eq!((conversion.crease_degrees, options.frames), (10.0, 5));
+        assert!(!conversion.smoothing_groups, "the angle goes before the file's groups");
     }
 
     #[test]

@@ -10,7 +10,7 @@ use std::fmt::{Display, Write as _};
 use rasterizer::mesh::Material;
 
 use super::{
-    Indices, Model, Options,
+    Indices, Model,
     report::{grouped, thousands},
 };
 
@@ -34,7 +34,7 @@ fn header(out: &mut String, model: &Model) -> std::fmt::Result {
         let (name, bytes) = (in_comment(&file.file_name), thousands(file.bytes));
         writeln!(out, "// From {name}: {bytes} bytes, FNV-1a {:016x}", file.hash)?;
     }
-    writeln!(out, "// With {}", options(&model.options))?;
+    writeln!(out, "// With {}", options(model))?;
     writeln!(out, "//")?;
     for line in model.report.to_string().lines() {
         writeln!(out, "// {line}")?;
@@ -43,7 +43,8 @@ fn header(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "// To leave out a table that no shader uses, convert again with fewer contents.")
 }
 
-fn options(options: &Options) -> String {
+fn options(model: &Model) -> String {
+    let options = &model.options;
     let contents = options.contents;
     let tables: Vec<&str> = [
         (contents.vertex_normals, "vertex normals"),
@@ -54,8 +55,11 @@ fn options(options: &Options) -> String {
     .filter_map(|(kept, name)| kept.then_some(name))
     .collect();
     let tables = if tables.is_empty() { "none".to_owned() } else { tables.join(", ") };
+    let winding = if options.fix_winding { "winding mended, " } else { "" };
     let fit = options.fit;
-    format!("{fit}, a crease angle of {} degrees, contents: {tables}", options.crease_degrees)
+    let groups = if model.report.smoothing_groups { "smoothing groups, " } else { "" };
+    let crease = options.crease_degrees;
+    format!("{fit}, {groups}a crease angle of {crease} degrees, {winding}contents: {tables}")
 }
 
 fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {

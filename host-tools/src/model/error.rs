@@ -4,11 +4,13 @@ use std::{io, path::PathBuf};
 
 use thiserror::Error;
 
+use super::quote::shown;
+
 /// Why a model cannot be converted.
 #[derive(Debug, Error)]
 pub enum ModelError {
     /// The file cannot be opened or read.
-    #[error("{path}: {source}: check the path and that the file may be read")]
+    #[error("{}: {source}: check the path and that the file may be read", shown(.path))]
     Read {
         /// The file.
         path: PathBuf,
@@ -16,25 +18,31 @@ pub enum ModelError {
         source: io::Error,
     },
     /// The path names a directory.
-    #[error("{path} is a directory: name the file in it")]
+    #[error("{} is a directory: name the file in it", shown(.path))]
     Directory {
         /// The directory.
         path: PathBuf,
     },
     /// The path names a device, a pipe or a socket.
-    #[error("{path} is not an ordinary file: save the model to a file first")]
+    #[error("{} is not an ordinary file: save the model to a file first", shown(.path))]
     NotAFile {
         /// The path.
         path: PathBuf,
     },
     /// The file has no bytes.
-    #[error("{path} is empty: export the model again")]
+    #[error("{} is empty: export the model again", shown(.path))]
     Empty {
         /// The file.
         path: PathBuf,
     },
+    /// The file is text of two bytes a character.
+    #[error("{} is UTF-16 text: save it as UTF-8", shown(.path))]
+    Utf16 {
+        /// The file.
+        path: PathBuf,
+    },
     /// A line of the file is wrong.
-    #[error("{path}:{line}: {fault}")]
+    #[error("{}:{line}: {fault}", shown(.path))]
     Line {
         /// The file.
         path: PathBuf,
@@ -45,8 +53,9 @@ pub enum ModelError {
     },
     /// The file has no `v` line.
     #[error(
-        "{path} has no vertices (lines `v x y z`): is it an OBJ file, and was anything selected \
-         for export?"
+        "{} has no vertices (lines `v x y z`): is it an OBJ file, and was anything selected \
+         for export?",
+        shown(.path)
     )]
     NoVertices {
         /// The file.
@@ -54,8 +63,9 @@ pub enum ModelError {
     },
     /// The file has no `f` line.
     #[error(
-        "{path} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points \
-         or curves"
+        "{} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points \
+         or curves",
+        shown(.path)
     )]
     NoFaces {
         /// The file.
@@ -63,15 +73,19 @@ pub enum ModelError {
     },
     /// All vertices of all faces coincide.
     #[error(
-        "{path} has no size: all vertices of its faces lie at one point: export it again with more \
-         decimal places"
+        "{} has no size: all vertices of its faces lie at one point: export it again with more \
+         decimal places",
+        shown(.path)
     )]
     NoSize {
         /// The file.
         path: PathBuf,
     },
     /// Every triangle is degenerate.
-    #[error("{path}: all {faces} faces have zero area: export it again with more decimal places")]
+    #[error(
+        "{}: all {faces} faces have zero area: export it again with more decimal places",
+        shown(.path)
+    )]
     NoArea {
         /// The file.
         path: PathBuf,
@@ -80,9 +94,10 @@ pub enum ModelError {
     },
     /// The vertices do not fit indices of 16 bits.
     #[error(
-        "{path} needs {count} vertices, more than the 65,536 that 16-bit indices can name: \
+        "{} needs {count} vertices, more than the 65,536 that 16-bit indices can name: \
          simplify the model, split it into several, raise the crease angle, or leave out normals \
-         or texture coordinates"
+         or texture coordinates",
+        shown(.path)
     )]
     TooManyVertices {
         /// The file.
@@ -92,8 +107,9 @@ pub enum ModelError {
     },
     /// With [`Fit::Keep`](super::Fit::Keep), a coordinate is out of range.
     #[error(
-        "{path}: coordinate {value} does not fit Q16.16 (-32,768 to 32,767.99998): use the unit \
-         fit, or scale or move the model"
+        "{}: coordinate {value} does not fit Q16.16 (-32,768 to 32,767.99998): use the unit \
+         fit, or scale or move the model",
+        shown(.path)
     )]
     OutOfRange {
         /// The file.
@@ -103,8 +119,9 @@ pub enum ModelError {
     },
     /// With [`Fit::Keep`](super::Fit::Keep), the model is too small for its steps.
     #[error(
-        "{path} measures {size} units, too few steps of 1/65,536 to show its shape: use the unit \
-         fit, or scale the model"
+        "{} measures {size} units, too few steps of 1/65,536 to show its shape: use the unit \
+         fit, or scale the model",
+        shown(.path)
     )]
     TooSmall {
         /// The file.
@@ -114,8 +131,9 @@ pub enum ModelError {
     },
     /// The contents include texture coordinates and the file has none.
     #[error(
-        "{path} has no texture coordinates (lines `vt u v`, faces `f 1/1 2/2 3/3`): export them, \
-         or leave them out of the contents"
+        "{} has no texture coordinates (lines `vt u v`, faces `f 1/1 2/2 3/3`): export them, \
+         or leave them out of the contents",
+        shown(.path)
     )]
     NoTextureCoordinates {
         /// The file.
@@ -123,8 +141,9 @@ pub enum ModelError {
     },
     /// The texture coordinates cover more than a `u16` can count.
     #[error(
-        "{path}: texture coordinates range over {range} repeats of the texture, which 16 bits \
-         cannot hold: move the texture islands together or scale them down"
+        "{}: texture coordinates range over {range} repeats of the texture, which 16 bits \
+         cannot hold: move the texture islands together or scale them down",
+        shown(.path)
     )]
     TextureRange {
         /// The file.
@@ -142,7 +161,7 @@ pub enum ModelError {
         degrees: f64,
     },
     /// The parser rejects a file that passes the line checks.
-    #[error("{path}: the OBJ parser fails: {source}")]
+    #[error("{}: the OBJ parser fails: {source}", shown(.path))]
     Parse {
         /// The file.
         path: PathBuf,
@@ -150,7 +169,7 @@ pub enum ModelError {
         source: tobj::LoadError,
     },
     /// The result cannot be written.
-    #[error("{path} cannot be written: {source}: check that its directory exists and is writable")]
+    #[error("{} cannot be written: {source}: {}", shown(.path), remedy(source))]
     Write {
         /// The file.
         path: PathBuf,
@@ -164,18 +183,20 @@ pub enum ModelError {
     NoOutDir,
 }
 
+/// What to do about a file that cannot be written.
+fn remedy(error: &io::Error) -> &'static str {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => {
+            "make room on the disk, or write to another"
+        }
+        io::ErrorKind::InvalidFilename => "choose another name",
+        _ => "check that its directory exists and is writable",
+    }
+}
+
 /// What is wrong with a line.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum LineFault {
-    /// A byte that UTF-8 does not allow.
-    #[error(
-        "byte 0x{byte:02X} is not UTF-8 text: save the file as UTF-8, or remove accented letters \
-         from its comments"
-    )]
-    NotUtf8 {
-        /// The byte.
-        byte: u8,
-    },
     /// Fewer numbers than the statement needs.
     #[error(
         "`{keyword}` needs {needed} numbers and has {found}: complete the line or export the model \
@@ -239,15 +260,4 @@ pub enum LineFault {
         /// How many it can choose from.
         count: usize,
     },
-}
-
-/// Shortens a word for a message, so that a file of one endless line does not become an endless
-/// message.
-pub(super) fn quote(word: &str) -> String {
-    const LONGEST: usize = 40;
-    let mut short: String = word.chars().take(LONGEST).collect();
-    if short.len() < word.len() {
-        short.push('…');
-    }
-    short
 }

@@ -24,6 +24,19 @@ pub(super) struct Fitted {
     pub positions: Vec<Vector>,
     /// The origin of the tables' positions.
     pub offset: Vec3,
+    /// The middle and the radius of the shape, if it is fitted into the unit sphere.
+    unit: Option<(Vector, f64)>,
+}
+
+impl Fitted {
+    /// Where a point lies after the fit, from its original and its scaled position.
+    pub(super) fn place(&self, original: Vector, shape: Vector) -> Vector {
+        self.unit.map_or(original, |unit| in_unit_sphere(shape, unit))
+    }
+}
+
+fn in_unit_sphere(shape: Vector, (center, radius): (Vector, f64)) -> Vector {
+    sub(shape, center).map(|x| x / radius)
 }
 
 /// Scales a shape so that its largest coordinate lies from 1 to 2. The factor is a power of two, so
@@ -56,9 +69,11 @@ pub(super) fn fit(
         Fit::Unit => {
             let center = center(shape);
             let radius = shape.iter().fold(0.0, |m: f64, &p| m.max(length(sub(p, center))));
+            let unit = (center, radius);
             Ok(Fitted {
-                positions: shape.iter().map(|&p| sub(p, center).map(|x| x / radius)).collect(),
+                positions: shape.iter().map(|&p| in_unit_sphere(p, unit)).collect(),
                 offset: Vec3::ZERO,
+                unit: Some(unit),
             })
         }
         Fit::Keep => {
@@ -74,6 +89,7 @@ pub(super) fn fit(
             Ok(Fitted {
                 positions: original.to_vec(),
                 offset: Vec3::from_bits(center.map(|x| (x * ONE).round() as i32)),
+                unit: None,
             })
         }
     }

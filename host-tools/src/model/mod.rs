@@ -7,25 +7,38 @@
 //! values before rounding.
 //!
 //! The converter reads positions, normals, texture coordinates, faces and diffuse colours of an OBJ
-//! file. It ignores points, lines, curves, smoothing groups, vertex colours and the names of
-//! textures.
+//! file, and its smoothing groups where it has no normals. What else a file shows and the tables
+//! cannot hold, such as lines, curves, vertex colours, textures and transparency, it leaves out
+//! with a warning for each kind.
 
+mod cap;
+mod ears;
 pub mod emit;
 mod error;
+mod faces;
 mod fit;
+mod flattening;
+mod ignored;
+mod libraries;
+mod library_path;
 mod mtl;
 mod normals;
 mod order;
 mod polygons;
 mod quantize;
+mod quote;
 mod report;
+mod slivers;
+mod smoothing;
 mod source;
 #[cfg(test)]
 mod tests;
 mod triangulate;
 mod validate;
 mod vector;
+mod warnings;
 mod weld;
+mod winding;
 mod write;
 
 use std::{
@@ -39,9 +52,12 @@ use rasterizer::{
 };
 
 pub use error::{LineFault, ModelError};
+pub use faces::{Face, Faces};
+pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use write::{convert_for_build, write_atomically};
 
+use smoothing::Smoothing;
 use triangulate::Triangle;
 use vector::{Vector, length, sub};
 use weld::Welded;
@@ -54,6 +70,13 @@ pub struct Options {
     /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
     /// across their edge.
     pub crease_degrees: f64,
+    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
+    /// turned over. Without it they are only told.
+    pub fix_winding: bool,
+    /// Whether computed normals follow the file's smoothing groups (`s 1`, `s off`) in place of the
+    /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
+    /// follow the crease angle.
+    pub smoothing_groups: bool,
     /// Which tables to make.
     pub contents: Contents,
     /// The name of the static; `None` for that of the file.
@@ -61,11 +84,14 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Unit fit, a crease angle of 60 degrees, the default contents, the name of the file.
+    /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, the default
+    /// contents, the name of the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
+            fix_winding: false,
+            smoothing_groups: true,
             contents: Contents::default(),
             name: None,
         }
@@ -186,6 +212,8 @@ pub struct Exact {
     pub face_normals: Vec<[f64; 3]>,
     /// Texture coordinates in repeats of the texture, v running down, none of them negative.
     pub texture_coordinates: Vec<[f64; 2]>,
+    /// The faces of the file, not yet cut into triangles.
+    pub faces: Faces,
 }
 
 /// A file that a model is made from.
@@ -223,29 +251,51 @@ impl Model {
     /// of material libraries are only [warnings](Self::warnings).
     pub fn load(path: impl AsRef<Path>, options: &Options) -> Result<Self, ModelError> {
         let path = path.as_ref();
+        Self::from_bytes(path, &source::read(path)?, options)
+    }
+
+    /// Converts the contents of an OBJ file. Its material libraries lie beside `path`, which names
+    /// it in messages.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`Self::load`], except those of reading the file.
+    pub fn from_bytes(path: &Path, bytes: &[u8], options: &Options) -> Result<Self, ModelError> {
         let degrees = options.crease_degrees;
         if !(0.0..=180.0).contains(&degrees) {
             return Err(ModelError::Crease { degrees });
         }
-        let bytes = source::read(path)?;
         if bytes.is_empty() {
             return Err(ModelError::Empty { path: path.into() });
         }
-        let mut checked = validate::check(path, &source::statements(source::text(path, &bytes)?))?;
-        let mut libraries = mtl::load(path, &checked);
-        let polygons = polygons::read(path, &checked, &libraries)?;
+        let statements = source::statements(source::text(path, bytes)?);
+        let mut checked = validate::check(path, &statements, options.contents)?;
+        let mut libraries = libraries::load(path, &checked, options.contents);
+        let mut polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 
         let shape = fit::to_common_size(&polygons.positions);
         if fit::has_no_size(&shape) {
             return Err(ModelError::NoSize { path: path.into() });
         }
+        let winding = winding::judge(&polygons, &shape);
+        if options.fix_winding {
+            winding.mend(&mut polygons, &shape);
+        }
+        checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
         let materials = sort_by_material(&mut corners, &polygons.colors);
-        let normals = normals::corner_normals(&corners, &shape, degrees.to_radians());
+        if !options.smoothing_groups {
+            corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
+        }
+        let normals = if options.contents.vertex_normals {
+            smoothing::corner_normals(&corners, &shape, degrees.to_radians())
+        } else {
+            Vec::new()
+        };
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
@@ -253,19 +303,31 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let shape = at(&shape);
-        let fitted = fit::fit(path, &at(&polygons.positions), &shape, options.fit)?;
+        let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
+        let fitted = fit::fit(path, &original, &shape, options.fit)?;
+        let lines = &checked.face_lines;
+        let faces = Faces::new(&polygons, &whole, &fitted, lines, &tables.welded.positions);
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
-        let exact =
-            exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?;
+        let rounding = flattening::Rounding {
+            written: &polygons.positions,
+            original: &original,
+            shape: &shape,
+            rounded: &positions,
+        };
+        let triangles = &tables.welded.triangles;
+        checked.warnings.extend(flattening::warning(path, &statements, triangles, rounding));
+        let exact = Exact {
+            faces,
+            ..exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?
+        };
         let (texture_coordinates, texture_fraction_bits) =
             quantize::textures(path, &exact.texture_coordinates)?;
         if texture_fraction_bits < 8 {
             checked.warnings.push(format!(
                 "{}: texture coordinates range so far that their steps are 1/{} of a texture: \
                  move its islands together",
-                path.display(),
+                quote::shown(path),
                 1 << texture_fraction_bits
             ));
         }
@@ -273,7 +335,7 @@ impl Model {
         if options.contents.texture_coordinates && some_without {
             checked.warnings.push(format!(
                 "{}: {} of {} face corners have no texture coordinates and get (0, 0)",
-                path.display(),
+                quote::shown(path),
                 checked.corners - checked.textured_corners,
                 checked.corners
             ));
@@ -283,7 +345,7 @@ impl Model {
         let mut model = Self {
             name: emit::static_name(options.name.as_deref().unwrap_or(&stem)),
             options: options.clone(),
-            provenance: [vec![Provenance::of(path, &bytes)], libraries.files].concat(),
+            provenance: [vec![Provenance::of(path, bytes)], libraries.files].concat(),
             inputs: [vec![path.into()], libraries.paths].concat(),
             vertex_normals: exact.vertex_normals.iter().map(|&n| quantize::normal(n)).collect(),
             face_normals: exact.face_normals.iter().map(|&n| quantize::normal(n)).collect(),
@@ -300,6 +362,8 @@ impl Model {
                 file_faces: checked.faces,
                 triangles: tables.welded.triangles.len(),
                 dropped_triangles,
+                turned_faces: if options.fix_winding { winding.turned() } else { 0 },
+                smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()
@@ -450,5 +514,6 @@ fn exact(
         } else {
             Vec::new()
         },
+        ..Exact::default()
     })
 }

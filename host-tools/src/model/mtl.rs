@@ -1,134 +1,117 @@
-//! The colours of an OBJ's material libraries.
+//! A material library, an MTL file: what of it matters to colour.
 //!
-//! Without its library a model loses its colours but is still converted: each fault is a warning.
+//! A model without its colours is still a model, so each fault is a warning.
 
-use std::{
-    collections::HashSet,
-    fmt::Write as _,
-    path::{Path, PathBuf},
-};
+use std::path::Path;
 
 use super::{
-    Provenance,
-    error::{ModelError, quote},
     source::{self, Statement},
-    validate::Checked,
+    warnings::Tally,
 };
 
-/// The colour of a face without a material, or with one whose colour is unknown.
-pub(super) const DEFAULT_COLOR: [u8; 3] = [200; 3];
-
-/// The longest `mtllib` that is tried, in bytes: the longest path that common systems accept.
-const LONGEST: usize = 4096;
-
-/// All libraries of a model.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Libraries {
-    /// Its `newmtl` and `Kd` statements alone, each checked: `tobj` panics on a `Kd` of fewer than
-    /// three numbers, and drops the whole library for a fault in a line that does not matter to
-    /// colour.
-    pub text: String,
-    /// The files named, readable or not.
-    pub paths: Vec<PathBuf>,
-    /// The files read.
-    pub files: Vec<Provenance>,
-    /// What is missing or broken.
-    pub warnings: Vec<String>,
+/// A material.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Definition {
+    pub name: Vec<u8>,
+    /// The line of its `newmtl`.
+    pub line: usize,
+    /// Its last valid `Kd` and the line of that.
+    pub color: Option<([f64; 3], usize)>,
+    /// The line of its texture, `map_Kd`.
+    pub texture: Option<usize>,
+    /// Whether it shines by itself, by `Ke`.
+    pub is_emissive: bool,
+    /// The opacity by `d` and the line of that.
+    dissolve: Option<(f64, usize)>,
+    /// The transparency by `Tr` and the line of that.
+    transparency: Option<(f64, usize)>,
+    /// The line of its texture of opacity, `map_d`.
+    opacity_texture: Option<usize>,
 }
 
-/// Reads the libraries that the OBJ file at `obj` names, and warns of materials without a colour.
-pub(super) fn load(obj: &Path, checked: &Checked) -> Libraries {
-    let mut libraries = Libraries::default();
-    let mut colored = HashSet::new();
-    for (line, argument) in &checked.libraries {
-        if argument.is_empty() || argument.len() > LONGEST {
-            let (obj, name) = (obj.display(), quote(argument));
-            let warning = format!("{obj}:{line}: `mtllib {name}` names no file: ignored");
-            libraries.warnings.push(warning);
+impl Definition {
+    /// The line that makes it transparent. Some programs write opacity as `Tr`, so a `d` beside it
+    /// is what counts.
+    pub(super) fn transparent_line(&self) -> Option<usize> {
+        let by_number = match (self.dissolve, self.transparency) {
+            (Some((opacity, line)), _) => (opacity < 1.0).then_some(line),
+            (None, Some((transparency, line))) => (transparency > 0.0).then_some(line),
+            (None, None) => None,
+        };
+        by_number.or(self.opacity_texture)
+    }
+
+    /// The line of its `Kd` if that is black although the material has a colour: that of a texture
+    /// or of its own light.
+    pub(super) fn black_line(&self) -> Option<usize> {
+        let ([r, g, b], line) = self.color?;
+        let is_black = r.max(g).max(b) <= 0.0 && (self.texture.is_some() || self.is_emissive);
+        is_black.then_some(line)
+    }
+}
+
+/// The faults of all libraries.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Faults {
+    nameless: Tally,
+    early: Tally,
+    color: Tally,
+}
+
+impl Faults {
+    pub(super) fn warn(&self, warnings: &mut Vec<String>) {
+        for (tally, fault) in [
+            (&self.early, "`Kd` before any `newmtl`"),
+            (&self.color, "`Kd` needs three numbers from 0 to 1"),
+            (&self.nameless, "`newmtl` without a name"),
+        ] {
+            tally.warn(warnings, |tally| format!("{fault}: {}", tally.ignored()));
+        }
+    }
+}
+
+/// Reads the materials of a library's text.
+pub(super) fn definitions(path: &Path, text: &[u8], faults: &mut Faults) -> Vec<Definition> {
+    let mut definitions: Vec<Definition> = Vec::new();
+    let mut has_name = false;
+    for statement in source::statements(text) {
+        let line = statement.line;
+        if statement.keyword() == b"newmtl" {
+            let name = statement.name().to_vec();
+            has_name = !name.is_empty();
+            if has_name {
+                definitions.push(Definition { name, line, ..Definition::default() });
+            } else {
+                faults.nameless.add(path, line);
+            }
             continue;
         }
-        for path in files(obj, argument) {
-            if libraries.paths.contains(&path) {
-                continue;
+        let Some(material) = definitions.last_mut().filter(|_| has_name) else {
+            if statement.keyword() == b"Kd" {
+                faults.early.add(path, line);
             }
-            if let Err(error) = library(&path, &mut libraries, &mut colored) {
-                libraries.warnings.push(format!(
-                    "{error} (named in {}:{line}; its materials are drawn in grey)",
-                    obj.display()
-                ));
-            }
-            libraries.paths.push(path);
+            continue;
+        };
+        let has_arguments = statement.arguments().next().is_some();
+        match statement.keyword() {
+            b"Kd" => match color(&statement) {
+                Some(color) => material.color = Some((color, line)),
+                None => faults.color.add(path, line),
+            },
+            b"Ke" => material.is_emissive = color(&statement).is_some_and(|c| c != [0.0; 3]),
+            b"d" => material.dissolve = last_number(&statement).map(|d| (d, line)),
+            b"Tr" => material.transparency = last_number(&statement).map(|tr| (tr, line)),
+            b"map_Kd" if has_arguments => material.texture = Some(line),
+            b"map_d" if has_arguments => material.opacity_texture = Some(line),
+            _ => {}
         }
     }
-    for (line, name) in checked.materials.iter().filter(|(_, name)| !colored.contains(name)) {
-        libraries.warnings.push(format!(
-            "{}:{line}: no material library gives `{}` a colour (`newmtl {}`, then `Kd r g b`): \
-             it is drawn in grey",
-            obj.display(),
-            quote(name),
-            quote(name)
-        ));
-    }
-    libraries
-}
-
-/// The files that a `mtllib` names. The format separates names by blanks, but names themselves
-/// often have blanks. So the whole argument is one name if that file exists, or if at most one of
-/// its words looks like a library's name.
-fn files(obj: &Path, argument: &str) -> Vec<PathBuf> {
-    let beside = |name: &str| obj.parent().unwrap_or(Path::new("")).join(name);
-    let names: Vec<&str> = argument.split_whitespace().collect();
-    let libraries = names.iter().filter(|n| n.to_lowercase().ends_with(".mtl")).count();
-    if libraries <= 1 || beside(argument).exists() {
-        vec![beside(argument)]
-    } else {
-        names.into_iter().map(beside).collect()
-    }
-}
-
-fn library(
-    path: &Path,
-    libraries: &mut Libraries,
-    colored: &mut HashSet<String>,
-) -> Result<(), ModelError> {
-    let bytes = source::read(path)?;
-    let text = source::text(path, &bytes)?;
-    libraries.files.push(Provenance::of(path, &bytes));
-    let mut material = None;
-    for statement in source::statements(text) {
-        let fault = match (statement.keyword(), material.as_ref()) {
-            ("newmtl", _) => {
-                let name = statement.name();
-                material = (!name.is_empty()).then(|| name.to_owned());
-                if name.is_empty() {
-                    "`newmtl` without a name"
-                } else {
-                    let _ = writeln!(libraries.text, "newmtl {name}");
-                    continue;
-                }
-            }
-            ("Kd", Some(name)) => {
-                if let Some([r, g, b]) = color(&statement) {
-                    let _ = writeln!(libraries.text, "Kd {r} {g} {b}");
-                    colored.insert(name.clone());
-                    continue;
-                }
-                "`Kd` needs three numbers from 0 to 1"
-            }
-            ("Kd", None) => "`Kd` before any `newmtl`",
-            _ => continue,
-        };
-        libraries.warnings.push(format!("{}:{}: {fault}: ignored", path.display(), statement.line));
-    }
-    Ok(())
+    definitions
 }
 
 /// Reads `Kd r g b`; `Kd r` is the grey of that value.
 fn color(statement: &Statement<'_>) -> Option<[f64; 3]> {
-    let values: Vec<f64> = statement
-        .arguments()
-        .map(|word| word.parse().ok().filter(|v: &f64| v.is_finite()))
-        .collect::<Option<_>>()?;
+    let values: Vec<f64> = statement.arguments().map(number).collect::<Option<_>>()?;
     match values[..] {
         [grey] => Some([grey; 3]),
         [r, g, b, ..] => Some([r, g, b]),
@@ -136,74 +119,78 @@ fn color(statement: &Statement<'_>) -> Option<[f64; 3]> {
     }
 }
 
-/// A colour from 0 to 1 in 255ths.
-pub(super) fn quantised(color: [f64; 3]) -> [u8; 3] {
-    color.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8)
+fn number(word: &[u8]) -> Option<f64> {
+    str::from_utf8(word).ok()?.parse().ok().filter(|value: &f64| value.is_finite())
+}
+
+/// Reads `d 0.5` or `d -halo 0.5`.
+fn last_number(statement: &Statement<'_>) -> Option<f64> {
+    statement.arguments().last().and_then(number)
 }
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::*;
 
-    fn libraries(mtl: Option<&[u8]>, names: &[&str]) -> Libraries {
-        let directory = tempfile::tempdir().unwrap();
-        if let Some(bytes) = mtl {
-            fs::write(directory.path().join("a b.mtl"), bytes).unwrap();
-        }
-        let checked = Checked {
-            libraries: vec![(3, "a b.mtl".into())],
-            materials: names.iter().map(|&n| (5, n.into())).collect(),
-            ..Checked::default()
-        };
-        load(&directory.path().join("m.obj"), &checked)
+    fn read(text: &[u8]) -> (Vec<Definition>, Vec<String>) {
+        let mut faults = Faults::default();
+        let definitions = definitions(Path::new("a.mtl"), text, &mut faults);
+        let mut warnings = Vec::new();
+        faults.warn(&mut warnings);
+        (definitions, warnings)
     }
 
     #[test]
     fn colours_are_read_and_everything_else_is_ignored() {
         let text = b"# c\r\nnewmtl\tdark red\r\nillum what\r\nKd 0.5 0 \\\r\n0 # c\r\n\
                      newmtl g\r\nKd 0.25\r\nKa 1";
-        let libraries = libraries(Some(text), &["dark red", "g"]);
-        assert_eq!(libraries.text, "newmtl dark red\nKd 0.5 0 0\nnewmtl g\nKd 0.25 0.25 0.25\n");
-        assert_eq!(libraries.warnings, [""; 0]);
-        assert_eq!(libraries.files[0].bytes, text.len());
+        let (definitions, warnings) = read(text);
+        let colors: Vec<_> = definitions.iter().map(|d| (&d.name[..], d.line, d.color)).collect();
+        let expected =
+            [(&b"dark red"[..], 2, Some(([0.5, 0.0, 0.0], 4))), (b"g", 6, Some(([0.25; 3], 7)))];
+        assert_eq!((colors.as_slice(), &warnings[..]), (&expected[..], &[][..]));
     }
 
     #[test]
     fn faults_are_warnings_with_file_and_line() {
-        let warnings = libraries(Some(b"Kd 1 1 1\nnewmtl r\nKd 1 1\nnewmtl\n"), &["r"]).warnings;
-        for (warning, part) in warnings.iter().zip([
-            "a b.mtl:1: `Kd` before any `newmtl`",
-            "a b.mtl:3: `Kd` needs three numbers",
-            "a b.mtl:4: `newmtl` without a name",
-            "m.obj:5: no material library gives `r` a colour",
-        ]) {
-            assert!(warning.contains(part), "{warning}");
-        }
-        assert_eq!(warnings.len(), 4);
-        let endless =
-            Checked { libraries: vec![(3, "x".repeat(LONGEST + 1))], ..Checked::default() };
-        let warnings = load(Path::new("m.obj"), &endless).warnings;
-        assert!(warnings[0].starts_with("m.obj:3: `mtllib xxx") && warnings[0].len() < 100);
-        let missing = libraries(None, &[]).warnings;
-        assert!(missing[0].contains("a b.mtl: ") && missing[0].contains("m.obj:3"), "{missing:?}");
-        let broken = libraries(Some(b"newmtl \xFF"), &[]).warnings;
-        assert!(broken[0].contains("a b.mtl:1: byte 0xFF"), "{broken:?}");
-    }
-
-    #[test]
-    fn several_libraries_may_share_a_line() {
-        let obj = Path::new("dir/m.obj");
+        let (_, warnings) = read(b"Kd 1 1 1\nnewmtl r\nKd 1 1\nKd nan 0 0\nnewmtl\nKd 1 1 1\n");
         assert_eq!(
-            files(obj, "a.mtl b.MTL"),
-            [PathBuf::from("dir/a.mtl"), PathBuf::from("dir/b.MTL")]
+            warnings,
+            [
+                "a.mtl:1: `Kd` before any `newmtl`: ignored 2 times",
+                "a.mtl:3: `Kd` needs three numbers from 0 to 1: ignored 2 times",
+                "a.mtl:5: `newmtl` without a name: ignored",
+            ]
         );
-        assert_eq!(files(obj, "my colours.mtl"), [PathBuf::from("dir/my colours.mtl")]);
     }
 
     #[test]
-    fn colours_are_clamped_and_rounded() {
-        assert_eq!(quantised([-1.0, 0.5, 7.0]), [0, 128, 255]);
+    fn opacity_goes_before_transparency() {
+        for (text, line) in [
+            ("d 1\nTr 1", None),
+            ("Tr 1", Some(2)),
+            ("Tr 0\nd 0.5", Some(3)),
+            ("d -halo 0.5", Some(2)),
+            ("d 1\nmap_d a.png", Some(3)),
+            ("d x\nTr\nmap_d", None),
+        ] {
+            let (definitions, _) = read(format!("newmtl a\n{text}").as_bytes());
+            assert_eq!(definitions[0].transparent_line(), line, "{text}");
+        }
+    }
+
+    #[test]
+    fn black_hides_a_colour_only_where_there_is_another() {
+        for (text, line) in [
+            ("Kd 0 0 0", None),
+            ("map_Kd a.png\nKd 0 0 0", Some(3)),
+            ("Kd 0 0 0\nKe 0 0 0", None),
+            ("Kd 0\nKe 1 0 0", Some(2)),
+            ("map_Kd a.png\nKd 0 0 0.1", None),
+            ("map_Kd a.png", None),
+        ] {
+            let (definitions, _) = read(format!("newmtl a\n{text}").as_bytes());
+            assert_eq!(definitions[0].black_line(), line, "{text}");
+        }
     }
 }

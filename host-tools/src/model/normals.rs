@@ -1,9 +1,15 @@
 //! Vertex normals.
 
+use std::collections::HashMap;
+
 use super::{
-    triangulate::Triangle,
+    cap::CapTree,
+    triangulate::{Triangle, has_area},
     vector::{Vector, add, angle, cross, dot, normalized, scaled, sub},
 };
+
+/// Of more faces round a position the sums come from a tree.
+const CROWD: usize = 64;
 
 /// The unit normal of a triangle that is counter-clockwise seen from its front.
 pub(super) fn face_normal([a, b, c]: [Vector; 3]) -> Vector {
@@ -11,7 +17,25 @@ pub(super) fn face_normal([a, b, c]: [Vector; 3]) -> Vector {
     normalized(cross(sub(b, a), sub(c, a))).unwrap_or([0.0, 0.0, 1.0])
 }
 
-/// A unit normal for each corner of each triangle.
+/// Where the corners of a triangle are.
+pub(super) fn places(triangle: &Triangle, positions: &[Vector]) -> [Vector; 3] {
+    triangle.corners.map(|corner| positions[corner.position as usize])
+}
+
+/// The angle of a triangle at one of its corners, by which its normal is weighted there.
+pub(super) fn opening(triangle: &Triangle, corner: usize, positions: &[Vector]) -> f64 {
+    let places = places(triangle, positions);
+    let [apex, one, other] = [0, 1, 2].map(|i| places[(corner + i) % 3]);
+    angle(sub(one, apex), sub(other, apex))
+}
+
+/// The unit normal of a weighted sum; `None` if the normals of faces back to back cancel out, so
+/// that rounding noise is what remains.
+pub(super) fn mean(sum: Vector, weight: f64) -> Option<Vector> {
+    if dot(sum, sum).sqrt() > 1e-9 * weight { normalized(sum) } else { None }
+}
+
+/// A unit normal for each corner of each triangle, by the crease angle.
 ///
 /// A corner keeps the file's normal if there is one. Otherwise it gets the mean of the normals of
 /// the faces round its position, each weighted by its angle there, so that the mean does not depend
@@ -25,25 +49,31 @@ pub(super) fn corner_normals(
     positions: &[Vector],
     crease: f64,
 ) -> Vec<[Vector; 3]> {
-    let place = |triangle: &Triangle, corner: usize| {
-        positions[triangle.corners[corner % 3].position as usize]
-    };
-    let faces: Vec<Vector> =
-        triangles.iter().map(|t| face_normal([0, 1, 2].map(|i| place(t, i)))).collect();
+    let faces: Vec<Vector> = triangles.iter().map(|t| face_normal(places(t, positions))).collect();
     let mut around: Vec<Vec<(usize, f64)>> = vec![Vec::new(); positions.len()];
     for (face, triangle) in triangles.iter().enumerate() {
+        // The normal of a triangle without area is noise.
+        if !has_area(places(triangle, positions)) {
+            continue;
+        }
         for corner in 0..3 {
-            let apex = place(triangle, corner);
-            let opening = angle(
-                sub(place(triangle, corner + 1), apex),
-                sub(place(triangle, corner + 2), apex),
-            );
+            let opening = opening(triangle, corner, positions);
             around[triangle.corners[corner].position as usize].push((face, opening));
         }
     }
     // An angle equal to the crease is within it, also if its cosine is rounded down.
     let least = crease.cos() - 1e-9;
-    let smooth = |face: usize, position: u32| {
+    let crowded = (0..).zip(&around).filter(|(_, around)| around.len() > CROWD);
+    let trees: HashMap<u32, CapTree> = crowded
+        .map(|(position, around)| {
+            let normals = around.iter().map(|&(face, opening)| (faces[face], opening));
+            (position, CapTree::new(normals.collect()))
+        })
+        .collect();
+    let sum_of = |face: usize, position: u32| {
+        if let Some(tree) = trees.get(&position) {
+            return tree.sum(faces[face], least);
+        }
         let (mut sum, mut weight) = ([0.0; 3], 0.0);
         for &(other, opening) in &around[position as usize] {
             if dot(faces[other], faces[face]) >= least {
@@ -51,12 +81,11 @@ pub(super) fn corner_normals(
                 weight += opening;
             }
         }
-        // The normals of faces back to back cancel out. What remains is rounding noise.
-        if dot(sum, sum).sqrt() > 1e-9 * weight {
-            normalized(sum).unwrap_or(faces[face])
-        } else {
-            faces[face]
-        }
+        (sum, weight)
+    };
+    let smooth = |face: usize, position: u32| {
+        let (sum, weight) = sum_of(face, position);
+        mean(sum, weight).unwrap_or(faces[face])
     };
     triangles
         .iter()
@@ -71,12 +100,16 @@ pub(super) fn corner_normals(
 
 #[cfg(test)]
 mod tests {
-    use super::{super::polygons::Corner, *};
+    use super::{
+        super::{polygons::Corner, smoothing::Smoothing},
+        *,
+    };
 
     fn triangle(positions: [u32; 3], normal: Vector) -> Triangle {
         Triangle {
             corners: positions.map(|position| Corner { position, normal, texture: [0.0; 2] }),
             material: 0,
+            smoothing: Smoothing::Unstated,
         }
     }
 

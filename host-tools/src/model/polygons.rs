@@ -4,7 +4,8 @@ use std::{collections::HashMap, path::Path};
 
 use super::{
     error::ModelError,
-    mtl::{self, Libraries},
+    libraries::{self, Libraries},
+    smoothing::Smoothing,
     validate::Checked,
     vector::{Vector, key},
 };
@@ -16,10 +17,21 @@ pub(super) struct Polygons {
     pub positions: Vec<Vector>,
     /// The corners of the faces, one face after the other.
     pub corners: Vec<Corner>,
-    /// Each face's number of corners and its material.
-    pub faces: Vec<(usize, usize)>,
+    /// The faces.
+    pub faces: Vec<Face>,
     /// The materials' colours.
     pub colors: Vec<[u8; 3]>,
+}
+
+/// A face.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Face {
+    /// How many corners it has.
+    pub arity: usize,
+    /// Its material.
+    pub material: usize,
+    /// Its smoothing group.
+    pub smoothing: Smoothing,
 }
 
 /// A corner of a face.
@@ -39,27 +51,26 @@ pub(super) fn read(
     checked: &Checked,
     libraries: &Libraries,
 ) -> Result<Polygons, ModelError> {
-    let failed = |source| ModelError::Parse { path: path.into(), source };
     // The default keeps polygons whole and the three indices of a corner apart.
     let options = tobj::LoadOptions::default();
-    let (models, materials) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |_| {
-        tobj::load_mtl_buf(&mut libraries.text.as_bytes())
+    let materials = libraries.chosen.iter().enumerate();
+    let named: HashMap<String, usize> =
+        materials.filter_map(|(name, &chosen)| Some((name.to_string(), chosen?))).collect();
+    let (models, _) = tobj::load_obj_buf(&mut checked.text.as_bytes(), &options, |_| {
+        Ok((Vec::new(), named.clone()))
     })
-    .map_err(failed)?;
-    let materials = materials.map_err(failed)?;
+    .map_err(|source| ModelError::Parse { path: path.into(), source })?;
 
     let mut polygons = Polygons {
         // The last one is for faces without a material.
-        colors: materials
-            .iter()
-            .map(|material| material.diffuse.map_or(mtl::DEFAULT_COLOR, mtl::quantised))
-            .chain([mtl::DEFAULT_COLOR])
-            .collect(),
+        colors: [&libraries.colors[..], &[libraries::DEFAULT_COLOR]].concat(),
         ..Polygons::default()
     };
     let mut known = HashMap::new();
+    // `tobj` keeps the order of faces, and knows no smoothing groups.
+    let mut smoothing = checked.smoothing.iter();
     for tobj::Model { mesh, .. } in &models {
-        let material = mesh.material_id.unwrap_or(materials.len());
+        let material = mesh.material_id.unwrap_or(libraries.colors.len());
         for corner in 0..mesh.indices.len() {
             let position = nth(&mesh.positions, mesh.indices[corner]);
             let index = *known.entry(key(position)).or_insert_with(|| {
@@ -72,14 +83,17 @@ pub(super) fn read(
                 texture: nth(&mesh.texcoords, mesh.texcoord_indices[corner]),
             });
         }
-        if mesh.face_arities.is_empty() {
-            // `tobj` leaves the arities out if all faces are triangles.
-            polygons.faces.extend(std::iter::repeat_n((3, material), mesh.indices.len() / 3));
+        // `tobj` leaves the arities out if all faces are triangles.
+        let count = if mesh.face_arities.is_empty() {
+            mesh.indices.len() / 3
         } else {
-            polygons
-                .faces
-                .extend(mesh.face_arities.iter().map(|&arity| (arity as usize, material)));
-        }
+            mesh.face_arities.len()
+        };
+        polygons.faces.extend((0..count).zip(&mut smoothing).map(|(face, &smoothing)| Face {
+            arity: mesh.face_arities.get(face).map_or(3, |&arity| arity as usize),
+            material,
+            smoothing,
+        }));
     }
     Ok(polygons)
 }
@@ -91,15 +105,19 @@ fn nth<const N: usize>(values: &[f64], index: u32) -> [f64; N] {
 #[cfg(test)]
 mod tests {
     use super::{
-        super::{source::statements, validate},
+        super::{Contents, source::statements, validate},
         *,
     };
 
     fn polygons(text: &str) -> Polygons {
         let path = Path::new("m.obj");
-        let checked = validate::check(path, &statements(text)).unwrap();
-        let libraries =
-            Libraries { text: "newmtl a\nKd 1 0 0\nnewmtl b\n".into(), ..Libraries::default() };
+        let statements = statements(text.as_bytes());
+        let checked = validate::check(path, &statements, Contents::default()).unwrap();
+        let libraries = Libraries {
+            colors: vec![[255, 0, 0], [0, 0, 255]],
+            chosen: vec![Some(1), Some(0), None],
+            ..Libraries::default()
+        };
         read(path, &checked, &libraries).unwrap()
     }
 
@@ -114,7 +132,8 @@ mod tests {
         assert_eq!(polygons.positions[0], [0.1, 0.0, 0.0]);
         let indices: Vec<u32> = polygons.corners.iter().map(|c| c.position).collect();
         assert_eq!(indices, [0, 1, 2, 0, 1, 0, 3]);
-        assert_eq!(polygons.faces, [(3, 2), (4, 2)]);
+        let faces: Vec<_> = polygons.faces.iter().map(|face| (face.arity, face.material)).collect();
+        assert_eq!(faces, [(3, 2), (4, 2)]);
         assert_eq!(
             (polygons.corners[2].normal, polygons.corners[2].texture),
             ([0.0, 0.0, 3.0], [0.5, 0.25])
@@ -123,13 +142,16 @@ mod tests {
     }
 
     #[test]
-    fn materials_are_those_in_force() {
+    fn materials_and_smoothing_groups_are_those_in_force() {
         let polygons = polygons(
-            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl b\nf 1 2 3\nusemtl a\no x\n\
-             f 1 2 3\ng\nusemtl c\nf 1 2 3",
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nusemtl b\ns 4\nf 1 2 3\nusemtl a\no x\n\
+             f 1 2 3\ng\nusemtl c\ns off\nf 1 2 3",
         );
+        let smoothing: Vec<Smoothing> = polygons.faces.iter().map(|face| face.smoothing).collect();
+        let group = Smoothing::Group(4);
+        assert_eq!(smoothing, [Smoothing::Unstated, group, group, Smoothing::Off]);
         let colors: Vec<[u8; 3]> =
-            polygons.faces.iter().map(|&(_, m)| polygons.colors[m]).collect();
-        assert_eq!(colors, [[200; 3], [200; 3], [255, 0, 0], [200; 3]]);
+            polygons.faces.iter().map(|face| polygons.colors[face.material]).collect();
+        assert_eq!(colors, [[200; 3], [0, 0, 255], [255, 0, 0], [200; 3]]);
     }
 }

@@ -16,6 +16,10 @@ pub struct Report {
     pub triangles: usize,
     /// Triangles left out because they have no area.
     pub dropped_triangles: usize,
+    /// Faces turned over to mend the winding.
+    pub turned_faces: usize,
+    /// Whether normals follow the file's smoothing groups.
+    pub smoothing_groups: bool,
     /// The diagonal of the bounding box in model units.
     pub size: f64,
     /// The longest distance between a vertex and its quantised position, in model units.
@@ -98,6 +102,9 @@ impl fmt::Display for Report {
             thousands(self.file_faces),
             thousands(self.dropped_triangles)
         )?;
+        if self.turned_faces > 0 {
+            writeln!(f, "Faces turned over: {}", thousands(self.turned_faces))?;
+        }
         writeln!(f, "Size (diagonal of the bounding box): {:.4} units", self.size)?;
         writeln!(
             f,
@@ -110,6 +117,9 @@ impl fmt::Display for Report {
         )?;
         if self.flash.vertex_normals + self.flash.face_normals > 0 {
             writeln!(f, "Normal error: {:.3} degrees at most", self.normal_error_degrees)?;
+        }
+        if self.smoothing_groups {
+            writeln!(f, "Normals follow the file's smoothing groups")?;
         }
         if self.flash.texture_coordinates > 0 {
             writeln!(
@@ -168,6 +178,9 @@ mod tests {
         let text = report.to_string();
         assert!(text.contains("1.00e-5 units at most (0.00050 % of the size)"), "{text}");
         assert!(!text.contains("Normal") && !text.contains("Texture"), "{text}");
+        assert!(!text.contains("smoothing"), "{text}");
+        report.smoothing_groups = true;
+        assert!(report.to_string().contains("Normals follow the file's smoothing groups"));
         report.flash.vertex_normals = 3;
         report.flash.texture_coordinates = 4;
         let text = report.to_string();

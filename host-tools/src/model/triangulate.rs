@@ -1,10 +1,11 @@
 //! Polygons into triangles.
 
-use earcut::Earcut;
-
 use super::{
-    polygons::{Corner, Polygons},
-    vector::{Vector, add, cross, length, sub},
+    ears::{EarClipper, Point},
+    polygons::{Corner, Face, Polygons},
+    slivers,
+    smoothing::Smoothing,
+    vector::{Vector, add, cross, largest, length, sub},
 };
 
 /// A triangle, counter-clockwise when seen from its front.
@@ -14,47 +15,185 @@ pub(super) struct Triangle {
     pub corners: [Corner; 3],
     /// Its material.
     pub material: usize,
+    /// Its smoothing group.
+    pub smoothing: Smoothing,
 }
 
-/// Cuts all polygons into triangles by ear clipping, which also works for concave ones, and drops
-/// triangles without area. Also returns how many it drops.
+/// Cuts all polygons into triangles, also concave ones, and drops what has no area. Also returns
+/// how many triangles that is.
+///
+/// Each side of a polygon is a side of one triangle. So no corner is lost, and neighbours that
+/// share a side share its vertices.
 ///
 /// `positions` are those of the polygons, scaled so that no coordinate exceeds 2.
 pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Triangle>, usize) {
-    let mut earcut = Earcut::new();
-    let mut ears: Vec<u32> = Vec::new();
+    let mut cutter = Cutter::new(positions);
     let mut triangles = Vec::new();
     let mut whole = 0;
     let mut start = 0;
-    for &(arity, material) in &polygons.faces {
+    for &Face { arity, material, smoothing } in &polygons.faces {
         let corners = &polygons.corners[start..start + arity];
         start += arity;
         whole += arity - 2;
-        let ring: Vec<Vector> = corners.iter().map(|c| positions[c.position as usize]).collect();
-        ears.clear();
-        if ring.len() > 3 {
-            let flat = flattened(&ring);
-            earcut.earcut_slice(&flat, &[], &mut ears);
-            turn_counter_clockwise(&flat, &mut ears);
-        }
-        if ears.is_empty() {
-            // A triangle, or a polygon whose area cancels out, such as a figure of eight.
-            ears.extend((2..ring.len() as u32).flat_map(|i| [0, i - 1, i]));
-        }
-        for ear in ears.chunks_exact(3) {
-            let corners = [0, 1, 2].map(|i| corners[ear[i] as usize]);
-            if has_area(corners.map(|c| positions[c.position as usize])) {
-                triangles.push(Triangle { corners, material });
+        let to_triangle = |corners| Triangle { corners, material, smoothing };
+        if let &[a, b, c] = corners {
+            if has_area([a, b, c].map(|c| positions[c.position as usize])) {
+                triangles.push(to_triangle([a, b, c]));
             }
+        } else {
+            let cut = cutter.cut(corners);
+            triangles.extend(cut.map(|t| to_triangle(t.map(|i| corners[i as usize]))));
         }
     }
     let dropped = whole - triangles.len();
     (triangles, dropped)
 }
 
+/// Cuts polygons of more than three corners. Keeps its memory from one to the next.
+struct Cutter<'a> {
+    positions: &'a [Vector],
+    clipper: EarClipper,
+    loops: Loops,
+    /// Whether a triangle of this polygon has the position.
+    is_used: Vec<bool>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl<'a> Cutter<'a> {
+    fn new(positions: &'a [Vector]) -> Self {
+        Self {
+            positions,
+            clipper: EarClipper::default(),
+            loops: Loops::new(positions.len()),
+            is_used: vec![false; positions.len()],
+            triangles: Vec::new(),
+        }
+    }
+
+    /// The triangles of a polygon as numbers of its corners; none if all of it has no area.
+    fn cut(&mut self, corners: &[Corner]) -> impl Iterator<Item = [u32; 3]> + use<'_, 'a> {
+        let names: Vec<u32> = corners.iter().map(|corner| corner.position).collect();
+        let ring: Vec<Vector> = names.iter().map(|&name| self.positions[name as usize]).collect();
+        let flat = flattened(&ring);
+        // A corner where the one before it is adds nothing.
+        let n = ring.len();
+        let distinct =
+            (0..n as u32).filter(|&i| ring[i as usize] != ring[(i as usize + n - 1) % n]);
+        let distinct: Vec<u32> = distinct.collect();
+        self.triangles.clear();
+        for numbers in self.loops.split(&distinct, &flat, &names) {
+            let points: Vec<Point> = numbers.iter().map(|&i| flat[i as usize]).collect();
+            let first = self.triangles.len();
+            self.clipper.clip(&points, &mut self.triangles);
+            slivers::flip(&points, &mut self.triangles[first..]);
+            for triangle in &mut self.triangles[first..] {
+                *triangle = triangle.map(|i| numbers[i as usize]);
+            }
+        }
+        self.drop_without_area(&ring, &names);
+        self.triangles.drain(..)
+    }
+
+    /// Drops all triangles if none has an area. Otherwise one without area stays if it joins three
+    /// different positions, or has one that no other triangle has.
+    fn drop_without_area(&mut self, ring: &[Vector], names: &[u32]) {
+        let has_area = |t: &[u32; 3]| has_area(t.map(|i| ring[i as usize]));
+        if self.triangles.iter().all(has_area) {
+            return;
+        }
+        if !self.triangles.iter().any(has_area) {
+            self.triangles.clear();
+            return;
+        }
+        let joins_three = |&[a, b, c]: &[u32; 3]| {
+            let [a, b, c] = [a, b, c].map(|i| names[i as usize]);
+            a != b && b != c && c != a
+        };
+        for triangle in self.triangles.iter().filter(|t| joins_three(t)) {
+            triangle.iter().for_each(|&i| self.is_used[names[i as usize] as usize] = true);
+        }
+        let is_used = &mut self.is_used;
+        self.triangles.retain(|triangle| {
+            let adds = triangle
+                .map(|i| !std::mem::replace(&mut is_used[names[i as usize] as usize], true))
+                .contains(&true);
+            adds || joins_three(triangle)
+        });
+        names.iter().for_each(|&name| is_used[name as usize] = false);
+    }
+}
+
+/// Splits polygons that visit a position several times.
+struct Loops {
+    /// Where each position is on the path; `usize::MAX` for all of them between two polygons.
+    place: Vec<usize>,
+}
+
+impl Loops {
+    fn new(positions: usize) -> Self {
+        Self { place: vec![usize::MAX; positions] }
+    }
+
+    /// Splits off each part of a polygon that runs from a position back to it counter-clockwise;
+    /// returns the numbers of its corners. A part that runs clockwise is a hole: it stays together
+    /// with what is round it, and so does a part with the cut to a hole in it.
+    fn split(&mut self, corners: &[u32], points: &[Point], names: &[u32]) -> Vec<Vec<u32>> {
+        let mut parts = Vec::new();
+        // The corners so far, each with twice the area that the path to it sweeps about the first.
+        let mut path: Vec<(u32, f64)> = Vec::with_capacity(corners.len());
+        let relative = |i: u32| {
+            let [origin, point] = [points[0], points[i as usize]];
+            [point[0] - origin[0], point[1] - origin[1]]
+        };
+        let swept = |from: u32, to: u32| {
+            let [a, b] = [relative(from), relative(to)];
+            a[0] * b[1] - a[1] * b[0]
+        };
+        for (index, &corner) in corners.iter().enumerate() {
+            let name = names[corner as usize] as usize;
+            let area = path.last().map_or(0.0, |&(last, area)| area + swept(last, corner));
+            let first = self.place[name];
+            let before = |place: usize| {
+                place.checked_sub(1).map_or(corners[corners.len() - 1], |i| path[i].0)
+            };
+            let is_split = first != usize::MAX && area > path[first].1 && {
+                let after = corners[(index + 1) % corners.len()];
+                let wedge =
+                    [path[first + 1].0, corner, before(path.len())].map(|i| points[i as usize]);
+                ![before(first), after].iter().any(|&i| is_in_wedge(points[i as usize], wedge))
+            };
+            if is_split {
+                // The part closes where it began.
+                let part: Vec<u32> = path[first..].iter().map(|&(i, _)| i).collect();
+                path.truncate(first + 1);
+                part[1..].iter().for_each(|&i| self.place[names[i as usize] as usize] = usize::MAX);
+                parts.push(part);
+                continue;
+            }
+            self.place[name] = path.len();
+            path.push((corner, area));
+        }
+        names.iter().for_each(|&name| self.place[name as usize] = usize::MAX);
+        if path.len() >= 3 {
+            parts.push(path.into_iter().map(|(i, _)| i).collect());
+        }
+        parts
+    }
+}
+
+/// Whether a point is seen from `apex` to the left of `right` and to the right of `left`.
+fn is_in_wedge(point: Point, [right, apex, left]: [Point; 3]) -> bool {
+    let is_left = |from: Point, to: Point| {
+        let [a, b] = [from, to].map(|p| [p[0] - apex[0], p[1] - apex[1]]);
+        a[0] * b[1] - a[1] * b[0] > 0.0
+    };
+    let (one, other) = (is_left(right, point), is_left(point, left));
+    if is_left(right, left) { one && other } else { one || other }
+}
+
 /// Projects the polygon along the axis nearest to its normal, counter-clockwise. Dropping a
 /// coordinate, rather than turning the plane, keeps the other two exact.
-fn flattened(ring: &[Vector]) -> Vec<[f64; 2]> {
+fn flattened(ring: &[Vector]) -> Vec<Point> {
     let n = newell_normal(ring).map(f64::abs);
     let axis = if n[0] > n[1] && n[0] > n[2] {
         0
@@ -78,31 +217,18 @@ fn newell_normal(ring: &[Vector]) -> Vector {
     (1..ring.len()).fold([0.0; 3], |sum, i| add(sum, cross(relative(i), relative(i + 1))))
 }
 
-/// Makes all ears counter-clockwise. The ear clipper gives them all one winding, which depends on
-/// its version, so the sign of their total area decides.
-fn turn_counter_clockwise(points: &[[f64; 2]], ears: &mut [u32]) {
-    let area: f64 = ears
-        .chunks_exact(3)
-        .map(|ear| {
-            let [a, b, c] = [0, 1, 2].map(|i| points[ear[i] as usize]);
-            (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-        })
-        .sum();
-    if area < 0.0 {
-        ears.chunks_exact_mut(3).for_each(|ear| ear.swap(1, 2));
-    }
-}
-
-/// Whether a triangle has an area beyond the rounding of its coordinates, all at most 2.
+/// Whether a triangle has an area beyond the rounding of its coordinates.
 ///
-/// A coordinate c has an error of up to c * epsilon / 2. So each coordinate of an edge has one of 2
-/// epsilon, and the cross product of two edges one of about 8 epsilon times the longest edge. Three
-/// points on a slanted line, written in decimals, have no more area than that: their normal is
-/// noise.
-fn has_area([a, b, c]: [Vector; 3]) -> bool {
-    let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)];
+/// A coordinate c has an error of up to c * epsilon / 2. So each coordinate of an edge has one of
+/// c * epsilon, and the cross product of two edges one of about 4 c * epsilon times the longest
+/// edge. Three points on a slanted line, written in decimals, have no more area than that: their
+/// normal is noise.
+pub(super) fn has_area([a, b, c]: [Vector; 3]) -> bool {
+    // In units of the largest coordinate, no product leaves the range of f64.
+    let coordinate = largest(a).max(largest(b)).max(largest(c));
+    let [ab, bc, ca] = [sub(b, a), sub(c, b), sub(a, c)].map(|edge| edge.map(|x| x / coordinate));
     let longest = length(ab).max(length(bc)).max(length(ca));
-    length(cross(ab, bc)) > 8.0 * f64::EPSILON * longest
+    length(cross(ab, bc)) > 4.0 * f64::EPSILON * longest
 }
 
 #[cfg(test)]
@@ -115,7 +241,7 @@ mod tests {
             corners: (0..ring.len() as u32)
                 .map(|position| Corner { position, normal: [0.0; 3], texture: [0.0; 2] })
                 .collect(),
-            faces: vec![(ring.len(), 0)],
+            faces: vec![Face { arity: ring.len(), material: 0, smoothing: Smoothing::Unstated }],
             colors: vec![[0; 3]],
         }
     }

@@ -9,27 +9,41 @@
 //! written, in plain order: positions, texture coordinates, normals, then faces with absolute
 //! indices.
 
-use std::{collections::HashSet, fmt::Write as _, path::Path};
+use std::{
+    collections::{BTreeMap, HashMap},
+    fmt::Write as _,
+    path::Path,
+};
 
 use super::{
-    error::{LineFault, ModelError, quote},
+    Contents,
+    error::{LineFault, ModelError},
+    ignored::Ignored,
+    quote::quote,
+    smoothing::Smoothing,
     source::Statement,
+    warnings::Tally,
 };
 
 /// A file that has passed the checks.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Checked {
     /// Its statements for `tobj`. The last normal is (0, 0, 0) and stands for "none"; the last
-    /// texture coordinates are (0, 0), for the corners without.
+    /// texture coordinates are (0, 0), for the corners without. The names of materials are their
+    /// indices in [`materials`](Self::materials).
     pub text: String,
     /// `mtllib` statements: line and argument.
-    pub libraries: Vec<(usize, String)>,
+    pub libraries: Vec<(usize, Vec<u8>)>,
     /// `usemtl` statements: line and name, each name once.
-    pub materials: Vec<(usize, String)>,
+    pub materials: Vec<(usize, Vec<u8>)>,
+    /// The smoothing group of each face.
+    pub smoothing: Vec<Smoothing>,
     /// The number of `v` lines.
     pub vertices: usize,
     /// The number of faces.
     pub faces: usize,
+    /// The line of each face.
+    pub face_lines: Vec<usize>,
     /// The number of face corners.
     pub corners: usize,
     /// How many of the corners have texture coordinates.
@@ -44,10 +58,14 @@ struct Counts([usize; 3]);
 
 const KINDS: [&str; 3] = ["vertex", "texture coordinate", "normal"];
 
-/// Checks all statements of the file at `path`.
-pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked, ModelError> {
-    let count = |keyword| statements.iter().filter(|s| s.keyword() == keyword).count();
-    let total = Counts(["v", "vt", "vn"].map(count));
+/// Checks all statements of the file at `path`, which is converted to `contents`.
+pub(super) fn check(
+    path: &Path,
+    statements: &[Statement<'_>],
+    contents: Contents,
+) -> Result<Checked, ModelError> {
+    let count = |keyword: &[u8]| statements.iter().filter(|s| s.keyword() == keyword).count();
+    let total = Counts([count(b"v"), count(b"vt"), count(b"vn")]);
     if total.0[0] == 0 {
         return Err(ModelError::NoVertices { path: path.into() });
     }
@@ -55,22 +73,29 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
     let mut seen = Counts::default();
     let mut tables = [const { String::new() }; 3];
     let mut faces = String::new();
-    let mut named = HashSet::new();
+    let mut named = HashMap::new();
+    let mut smoothing = Smoothing::Unstated;
+    let mut unused = Unused::default();
+    let mut ignored = Ignored::default();
     for statement in statements {
         let at_line = |fault| ModelError::Line { path: path.into(), line: statement.line, fault };
         let mut coordinates = |table: usize, keyword, least, dimensions| {
-            let words = numbers(statement, keyword, least, dimensions)?;
-            // Writing to a string cannot fail.
-            let _ = writeln!(tables[table], "{keyword} {}", words.join(" "));
+            let row = numbers(statement, keyword, least, dimensions)?;
             seen.0[table] += 1;
+            if let Some(word) = row.not_finite {
+                unused.0[table].insert(seen.0[table], (statement.line, word.to_vec()));
+            }
+            // Writing to a string cannot fail.
+            let _ = writeln!(tables[table], "{keyword} {}", row.words.join(" "));
             Ok(())
         };
         match statement.keyword() {
             // A fourth number is a weight, for curves only. Vertex colours follow it or replace it.
-            "v" => coordinates(0, "v", 3, 3).map_err(at_line)?,
-            "vt" => coordinates(1, "vt", 1, 2).map_err(at_line)?,
-            "vn" => coordinates(2, "vn", 3, 3).map_err(at_line)?,
-            "f" => {
+            b"v" => coordinates(0, "v", 3, 3).map_err(at_line)?,
+            b"vt" => coordinates(1, "vt", 1, 2).map_err(at_line)?,
+            b"vn" => coordinates(2, "vn", 3, 3).map_err(at_line)?,
+            // `fo` is its name in older files.
+            b"f" | b"fo" => {
                 let corners = face(statement, seen, total).map_err(at_line)?;
                 faces.push('f');
                 for [v, vt, vn] in corners {
@@ -79,52 +104,126 @@ pub(super) fn check(path: &Path, statements: &[Statement<'_>]) -> Result<Checked
                     let _ = write!(faces, " {v}/{vt}/{vn}");
                 }
                 faces.push('\n');
+                checked.smoothing.push(smoothing);
                 checked.faces += 1;
+                checked.face_lines.push(statement.line);
             }
-            "mtllib" => checked.libraries.push((statement.line, statement.name().into())),
-            "usemtl" if statement.name().is_empty() => checked.warnings.push(format!(
-                "{}:{}: `usemtl` without a name is ignored",
-                path.display(),
-                statement.line
-            )),
-            "usemtl" => {
+            b"s" => smoothing = Smoothing::of(statement).unwrap_or(smoothing),
+            b"mtllib" => checked.libraries.push((statement.line, statement.name().into())),
+            b"usemtl" if !statement.name().is_empty() => {
                 let name = statement.name();
-                if named.insert(name) {
+                let index = *named.entry(name).or_insert_with(|| {
                     checked.materials.push((statement.line, name.into()));
-                }
-                let _ = writeln!(faces, "usemtl {name}");
+                    checked.materials.len() - 1
+                });
+                let _ = writeln!(faces, "usemtl {index}");
             }
             _ => {}
         }
+        ignored.count(path, statement);
+    }
+    if let Some((line, word)) = unused.first_used(&faces, contents) {
+        let fault = LineFault::NotFinite { word: quote(word) };
+        return Err(ModelError::Line { path: path.into(), line, fault });
     }
     if checked.faces == 0 {
         return Err(ModelError::NoFaces { path: path.into() });
     }
+    unused.warn(path, &mut checked.warnings);
+    ignored.warn(&mut checked.warnings);
     let [v, vt, vn] = tables;
     checked.text = format!("mtllib materials\n{v}{vt}vt 0 0\n{vn}vn 0 0 0\n{faces}");
     Ok(checked)
 }
 
-/// Checks and returns the first `dimensions` numbers of a statement as written. At least `least` of
-/// them must be there; the others default to 0.
+/// The coordinates of a statement.
+struct Row<'a> {
+    /// As written; all 0 if one of them is not finite.
+    words: Vec<&'a str>,
+    /// The first word that is NaN or infinite.
+    not_finite: Option<&'a [u8]>,
+}
+
+/// Checks and returns the first `dimensions` numbers of a statement. At least `least` of them must
+/// be there; the others default to 0.
 fn numbers<'a>(
     statement: &'a Statement<'_>,
     keyword: &'static str,
     least: usize,
     dimensions: usize,
-) -> Result<Vec<&'a str>, LineFault> {
-    let mut words: Vec<&str> = statement.arguments().take(dimensions).collect();
-    if words.len() < least {
-        return Err(LineFault::TooFewNumbers { keyword, needed: least, found: words.len() });
-    }
-    for word in &words {
-        let value: f64 = word.parse().map_err(|_| LineFault::NotANumber { word: quote(word) })?;
-        if !value.is_finite() {
-            return Err(LineFault::NotFinite { word: quote(word) });
+) -> Result<Row<'a>, LineFault> {
+    let mut row = Row { words: Vec::with_capacity(dimensions), not_finite: None };
+    for word in statement.arguments().take(dimensions) {
+        let text = str::from_utf8(word).unwrap_or_default();
+        match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => row.words.push(text),
+            Err(_) if !is_printed_nan(word) => {
+                return Err(LineFault::NotANumber { word: quote(word) });
+            }
+            _ => {
+                row.not_finite = row.not_finite.or(Some(word));
+                row.words.push("0");
+            }
         }
     }
-    words.resize(dimensions, "0");
-    Ok(words)
+    if row.words.len() < least {
+        return Err(LineFault::TooFewNumbers { keyword, needed: least, found: row.words.len() });
+    }
+    if row.not_finite.is_some() {
+        row.words.fill("0");
+    }
+    row.words.resize(dimensions, "0");
+    Ok(row)
+}
+
+/// Whether a C library prints NaN or infinity like this. Microsoft's older one prints 1.#QNAN,
+/// -1.#IND and 1.#INF, or rounds these to 1.#J and 1.$; its newer one prints -nan(ind).
+fn is_printed_nan(word: &[u8]) -> bool {
+    let word = word.strip_prefix(b"-").or(word.strip_prefix(b"+")).unwrap_or(word);
+    let start = word.get(..3).unwrap_or_default();
+    matches!(word, [b'1', b'.' | b',', b'#' | b'$', ..])
+        || start.eq_ignore_ascii_case(b"nan")
+        || start.eq_ignore_ascii_case(b"inf")
+}
+
+/// Lines whose numbers are not finite: for each table, the rows from 1 with the line and the word.
+#[derive(Default)]
+struct Unused([BTreeMap<usize, (usize, Vec<u8>)>; 3]);
+
+impl Unused {
+    /// Returns the first line on which the result depends. `faces` are those for `tobj`; without
+    /// any of them, it is the first line of all.
+    fn first_used(&self, faces: &str, contents: Contents) -> Option<(usize, &[u8])> {
+        let all = || self.0.iter().flat_map(BTreeMap::values);
+        let used: Vec<&(usize, Vec<u8>)> = if faces.is_empty() {
+            all().collect()
+        } else if all().next().is_none() {
+            Vec::new()
+        } else {
+            let is_kept = [true, contents.texture_coordinates, contents.vertex_normals];
+            let corners = faces.split_ascii_whitespace().filter(|word| word.contains('/'));
+            corners
+                .flat_map(|corner| corner.split('/').enumerate())
+                .filter(|&(table, _)| is_kept[table])
+                .filter_map(|(table, index)| self.0[table].get(&index.parse().ok()?))
+                .collect()
+        };
+        used.into_iter().min().map(|(line, word)| (*line, &word[..]))
+    }
+
+    fn warn(&self, path: &Path, warnings: &mut Vec<String>) {
+        let mut lines: Vec<_> = self.0.iter().flat_map(BTreeMap::values).collect();
+        lines.sort_unstable();
+        let mut tally = Tally::default();
+        for (line, word) in lines {
+            tally.add_word(path, *line, word);
+        }
+        tally.warn(warnings, |tally| {
+            let lines = tally.counted("line has", "lines have");
+            let words = tally.examples();
+            format!("{lines} a number that is not finite ({words}), which nothing uses: ignored")
+        });
+    }
 }
 
 /// Returns the corners of a face as absolute indices from 1. An index that a corner leaves out is
@@ -137,13 +236,15 @@ fn face(
     let corners = statement
         .arguments()
         .map(|corner| {
-            let parts: Vec<&str> = corner.split('/').collect();
-            if parts.len() > 3 || parts[0].is_empty() {
+            let slashes = corner.iter().filter(|&&byte| byte == b'/').count();
+            if slashes > 2 || corner.starts_with(b"/") {
                 return Err(LineFault::BadCorner { corner: quote(corner) });
             }
             let mut indices = total.0.map(|count| count + 1);
-            for (kind, part) in parts.iter().enumerate().filter(|(_, part)| !part.is_empty()) {
-                indices[kind] = index(corner, part, kind, seen.0[kind], total.0[kind])?;
+            for (kind, part) in corner.split(|&byte| byte == b'/').enumerate() {
+                if !part.is_empty() {
+                    indices[kind] = index(corner, part, kind, seen.0[kind], total.0[kind])?;
+                }
             }
             Ok(indices)
         })
@@ -157,13 +258,14 @@ fn face(
 /// Returns an absolute index from 1. A negative one counts back from the last of those `seen` so
 /// far.
 fn index(
-    corner: &str,
-    part: &str,
+    corner: &[u8],
+    part: &[u8],
     kind: usize,
     seen: usize,
     total: usize,
 ) -> Result<usize, LineFault> {
-    let written: i64 = part.parse().map_err(|_| LineFault::BadCorner { corner: quote(corner) })?;
+    let number = str::from_utf8(part).ok().and_then(|part| part.parse().ok());
+    let written: i64 = number.ok_or_else(|| LineFault::BadCorner { corner: quote(corner) })?;
     let (absolute, count) = match written {
         0 => return Err(LineFault::IndexZero { corner: quote(corner) }),
         1.. => (usize::try_from(written).ok().filter(|&i| i <= total), total),
@@ -187,7 +289,8 @@ mod tests {
     const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
     fn message(text: &str) -> String {
-        check(Path::new("m.obj"), &statements(text)).unwrap_err().to_string()
+        let statements = statements(text.as_bytes());
+        check(Path::new("m.obj"), &statements, Contents::default()).unwrap_err().to_string()
     }
 
     #[test]
@@ -234,15 +337,16 @@ mod tests {
     fn statements_become_a_form_that_the_parser_reads_correctly() {
         let text = "v 0 0 0 0.5 # weight\nv 1 0 0 1 0 0\nv\t0 1 0\nvt 0.25\nvn 0 0 2\n\
                     l 1 2 3\np 1\nusemtl\tdark red\nf 1/1 2//1 -1/-1/-1\nf 1 2 4\nv 5 5 5";
-        let checked = check(Path::new("m.obj"), &statements(text)).unwrap();
+        let statements = statements(text.as_bytes());
+        let checked = check(Path::new("m.obj"), &statements, Contents::default()).unwrap();
         assert_eq!(
             checked.text,
             "mtllib materials\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nvt 0.25 0\nvt 0 0\n\
-             vn 0 0 2\nvn 0 0 0\nusemtl dark red\nf 1/1/2 2/2/1 3/1/1\nf 1/2/2 2/2/2 4/2/2\n"
+             vn 0 0 2\nvn 0 0 0\nusemtl 0\nf 1/1/2 2/2/1 3/1/1\nf 1/2/2 2/2/2 4/2/2\n"
         );
         assert_eq!((checked.vertices, checked.faces), (4, 2));
         assert_eq!((checked.corners, checked.textured_corners), (6, 2));
-        assert_eq!(checked.materials, [(8, "dark red".to_owned())]);
+        assert_eq!(checked.materials, [(8, b"dark red".to_vec())]);
     }
 
     #[test]

@@ -22,13 +22,14 @@ pub(super) struct Welded {
 }
 
 /// Merges corners that have equal positions and equal values of all that `contents` keeps.
+/// `normals` may be empty if it keeps none.
 pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Contents) -> Welded {
     let mut welded = Welded::default();
     let mut known = HashMap::new();
-    for (triangle, normals) in triangles.iter().zip(normals) {
+    for (index, triangle) in triangles.iter().enumerate() {
         let vertices = [0, 1, 2].map(|i| {
             let corner = &triangle.corners[i];
-            let normal = if contents.vertex_normals { normals[i] } else { [0.0; 3] };
+            let normal = if contents.vertex_normals { normals[index][i] } else { [0.0; 3] };
             let texture = if contents.texture_coordinates { corner.texture } else { [0.0; 2] };
             *known.entry((corner.position, key(normal), key(texture))).or_insert_with(|| {
                 welded.positions.push(corner.position);
@@ -44,12 +45,15 @@ pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Co
 
 #[cfg(test)]
 mod tests {
-    use super::{super::polygons::Corner, *};
+    use super::{
+        super::{polygons::Corner, smoothing::Smoothing},
+        *,
+    };
 
     #[test]
     fn corners_split_only_where_a_kept_value_differs() {
         let corner = |position, u| Corner { position, normal: [0.0; 3], texture: [u, 0.0] };
-        let triangle = |corners| Triangle { corners, material: 0 };
+        let triangle = |corners| Triangle { corners, material: 0, smoothing: Smoothing::Unstated };
         let triangles = [
             triangle([corner(7, 0.0), corner(8, 0.0), corner(9, 0.0)]),
             triangle([corner(7, -0.0), corner(9, 0.0), corner(8, 0.5)]),

@@ -8,7 +8,11 @@ use std::{
 
 use super::{Model, Options, emit, error::ModelError};
 
-/// Writes a file whole or not at all: into a temporary file beside it, which then takes its name.
+/// Writes a file whole or not at all. A symbolic link stays, and the file that it names is written.
+///
+/// On Linux the file has no name until it is whole, so that a killed program leaves nothing behind.
+/// Elsewhere, and on file systems that cannot do so, it is a temporary file in the same directory,
+/// which then takes its name.
 ///
 /// # Errors
 ///
@@ -18,19 +22,85 @@ pub fn write_atomically(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), M
     if path.is_dir() {
         return Err(ModelError::Directory { path: path.into() });
     }
-    let directory = path.parent().filter(|p| !p.as_os_str().is_empty());
+    let contents = contents.as_ref();
     let write = || -> io::Result<()> {
-        let mut builder = tempfile::Builder::new();
-        // The mode of any new file: a temporary file is private to its owner by default.
-        #[cfg(unix)]
-        builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-        let mut file = builder.tempfile_in(directory.unwrap_or(Path::new(".")))?;
-        file.write_all(contents.as_ref())?;
+        let target = behind_links(path)?;
+        let directory = directory_of(&target);
+        #[cfg(target_os = "linux")]
+        if let Some(result) = unnamed::write(&target, directory, contents) {
+            return result;
+        }
+        let mut file = builder().tempfile_in(directory)?;
+        file.write_all(contents)?;
         file.as_file().sync_all()?;
-        file.persist(path)?;
+        file.persist(target)?;
         Ok(())
     };
     write().map_err(|source| ModelError::Write { path: path.into(), source })
+}
+
+fn directory_of(path: &Path) -> &Path {
+    path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or(Path::new("."))
+}
+
+/// Temporary files of the mode of any new file: by default they are private to their owner.
+fn builder() -> tempfile::Builder<'static, 'static> {
+    let mut builder = tempfile::Builder::new();
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    builder
+}
+
+/// The path that symbolic links lead to. There need be no file.
+fn behind_links(path: &Path) -> io::Result<PathBuf> {
+    /// As many as Linux follows.
+    const MOST_LINKS: usize = 40;
+    let mut target = path.to_path_buf();
+    for _ in 0..MOST_LINKS {
+        match fs::read_link(&target) {
+            Ok(link) => target = directory_of(&target).join(link),
+            Err(_) => return Ok(target),
+        }
+    }
+    Err(io::Error::other("too many symbolic links"))
+}
+
+/// Files without a name.
+#[cfg(target_os = "linux")]
+mod unnamed {
+    use std::{
+        fs::{self, File},
+        io::{self, Write as _},
+        os::fd::AsRawFd as _,
+        path::Path,
+    };
+
+    use rustix::{
+        fs::{AtFlags, CWD, Mode, OFlags, linkat, open},
+        io::Errno,
+    };
+
+    /// Writes a file; `None` if the file system has no files without a name.
+    pub(super) fn write(path: &Path, directory: &Path, contents: &[u8]) -> Option<io::Result<()>> {
+        let flags = OFlags::TMPFILE | OFlags::RDWR | OFlags::CLOEXEC;
+        let mut file = File::from(open(directory, flags, Mode::from_raw_mode(0o666)).ok()?);
+        if let Err(error) = file.write_all(contents).and_then(|()| file.sync_all()) {
+            return Some(Err(error));
+        }
+        let unnamed = format!("/proc/self/fd/{}", file.as_raw_fd());
+        let link = |path: &Path| linkat(CWD, &unnamed, CWD, path, AtFlags::SYMLINK_FOLLOW);
+        match link(path) {
+            Ok(()) => Some(Ok(())),
+            // A link cannot replace a file. A second name can.
+            Err(Errno::EXIST) => {
+                let named = super::builder().make_in(directory, |name| Ok(link(name)?));
+                Some(named.and_then(|named| fs::rename(named.into_temp_path().keep()?, path)))
+            }
+            // Without /proc.
+            Err(Errno::NOENT) if !Path::new(&unnamed).exists() => None,
+            Err(error) => Some(Err(error.into())),
+        }
+    }
 }
 
 /// Converts a model from a build script: writes `<stem>.rs` into `OUT_DIR`, for
@@ -121,6 +191,18 @@ mod tests {
         let long = directory.path().join("x".repeat(300));
         assert!(write_atomically(&long, "x").is_err());
         assert_eq!(entries(directory.path()), 0);
+    }
+
+    #[test]
+    fn a_full_disk_has_its_remedy() {
+        let remedy = |kind: io::ErrorKind| {
+            ModelError::Write { path: "a.rs".into(), source: kind.into() }.to_string()
+        };
+        assert!(
+            remedy(io::ErrorKind::StorageFull)
+                .ends_with("make room on the disk, or write to another")
+        );
+        assert!(remedy(io::ErrorKind::PermissionDenied).contains("is writable"));
     }
 
     #[test]

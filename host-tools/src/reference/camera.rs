@@ -160,7 +160,7 @@ impl Camera {
     }
 }
 
-const fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(super) const fn subtract(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
@@ -168,7 +168,7 @@ pub(super) const fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-const fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+pub(super) const fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 

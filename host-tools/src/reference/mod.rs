@@ -40,17 +40,22 @@
 //! | light level of a normal | `light.rs` | Lambert's cosine law |
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
+//! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
+//! | what outlines enclose | `winding.rs` | Shimrat, "Algorithm 112: Position of point relative to polygon", CACM 5(8), 1962 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
+//! | stored depth | `depth.rs` | IEEE 754, without a sign |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
 mod camera;
 mod clip;
 mod coverage;
+mod depth;
 mod interpolate;
 mod light;
 mod mesh;
 mod picture;
+mod polygon;
 #[cfg(test)]
 pub(crate) mod random;
 #[cfg(test)]
@@ -58,11 +63,15 @@ mod ray;
 mod sample;
 mod scene;
 mod screen;
+mod winding;
 
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
+pub use depth::DepthFormat;
 pub use light::Light;
 pub use mesh::{Corner, Culling, Mesh};
 pub use picture::{Fragment, Picture};
+pub use polygon::{Plane, triangulate};
 pub use sample::Sample;
 pub use scene::draw_scene;
 pub use screen::{ScreenTriangle, ScreenVertex, draw_screen};
+pub use winding::{Pixels, Winding};

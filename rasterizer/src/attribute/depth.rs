@@ -5,7 +5,7 @@ use fixed::types::U0F32;
 use super::{Interpolate, Piece, Plane, QuickGradients, TriangleSetup, Whole};
 use crate::numbers::Subpixel;
 
-/// How depth is stored: `u16`, `u32`, or not at all.
+/// How depth is stored: `u16`, [`FloatDepth`](super::FloatDepth), `u32`, or not at all.
 ///
 /// Depth is near / w (in a parallel projection the remaining part of the way to the far plane): 1
 /// on the near plane, larger is nearer, and a buffer is cleared to 0. It is linear in screen space.
@@ -17,7 +17,7 @@ pub trait DepthFormat: Interpolate<Walk = <Self as Interpolate>::Accumulator> {
     /// Returns the depth as a fraction; 0 if none is stored.
     fn to_fraction(self) -> U0F32;
 
-    /// The depth at a pixel, rounded to the nearest unit.
+    /// The depth at a pixel, rounded to a unit.
     fn at(value: Self::Accumulator) -> Self;
 
     /// Whether this depth is nearer than `stored`; always true if none is stored.
@@ -49,9 +49,11 @@ impl DepthFormat for u16 {
     }
 }
 
-/// Units of 2<sup>-32</sup>; 1 is stored as 2<sup>32</sup> - 1. The reciprocal behind a vertex's
-/// depth is within 2<sup>-27</sup> of it, so that the last five bits tell neighbouring pixels of
-/// one surface apart, not two surfaces.
+/// Units of 2<sup>-32</sup>; 1 is stored as 2<sup>32</sup> - 1, and a vertex on the near plane as
+/// 2<sup>32</sup> - 2. Interpolation is exact to one unit, a vertex is not: the reciprocal behind
+/// its depth is within 2<sup>-27</sup> of it, and its distance w within 4 units of clip space, a
+/// 2<sup>28</sup>th of the object's largest coordinate ([`PoseError`](crate::geometry::PoseError)).
+/// So the last bits tell neighbouring pixels of one surface apart, not two surfaces.
 impl DepthFormat for u32 {
     #[inline(always)]
     fn from_fraction(q32: u32) -> Self {

@@ -14,12 +14,14 @@
 //! bits; 32 bits in steps of 64. Arrays are of one type, tuples of several.
 
 mod depth;
+mod float;
 mod integers;
 mod interpolate;
 mod plane;
 mod varyings;
 
 pub use depth::{DepthFormat, NoDepth};
+pub use float::FloatDepth;
 pub use interpolate::{Interpolate, Piece, Step, Whole};
 pub use plane::{Plane, QuickGradients, TriangleSetup};
 pub(crate) use varyings::lerp;

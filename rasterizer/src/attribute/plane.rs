@@ -142,6 +142,12 @@ impl<S: Subpixel> TriangleSetup<S> {
         }
     }
 
+    /// The columns and rows from the anchor to any covered pixel, together, at most.
+    pub(super) fn reach(&self) -> u32 {
+        let most = |[d1, d2]: [i32; 2]| d1.unsigned_abs().max(d2.unsigned_abs());
+        ((most(self.dx) + most(self.dy)) >> S::BITS) + 2
+    }
+
     /// The plane of an attribute of 16 bits by the reciprocal.
     #[inline(always)]
     pub(super) fn quick_plane(&self, quick: QuickGradients, [a, b, c]: [u16; 3]) -> Plane<u32> {

@@ -71,7 +71,8 @@ impl<P> Camera<P> {
     /// # Errors
     ///
     /// Returns [`CameraError::Direction`] if `target` is `eye` or if `up` is along the direction to
-    /// it, and [`CameraError::ViewportSize`] or [`CameraError::ViewportOffset`] for a bad viewport.
+    /// it (however near to that it comes, the picture is upright), and
+    /// [`CameraError::ViewportSize`] or [`CameraError::ViewportOffset`] for a bad viewport.
     pub fn look_at(
         eye: Vec3,
         target: Vec3,
@@ -80,14 +81,25 @@ impl<P> Camera<P> {
         viewport: Rectangle,
     ) -> Result<Self, CameraError> {
         let [e, t, up] = [eye, target, up].map(|v| v.to_bits().map(i64::from));
-        let forward = unit(core::array::from_fn(|i| t[i] - e[i])).ok_or(CameraError::Direction)?;
-        let up = unit(up).ok_or(CameraError::Direction)?;
-        // Within 2^-20 of parallel the cross product is mostly rounding.
-        let right = cross(forward, up).map(i64::from);
-        if right.iter().all(|c| c.abs() < 1 << 10) {
-            return Err(CameraError::Direction);
-        }
-        let right = unit(right).ok_or(CameraError::Direction)?;
+        let way: [i64; 3] = core::array::from_fn(|i| t[i] - e[i]);
+        let forward = unit(way).ok_or(CameraError::Direction)?;
+        // The cross product of the exact vectors: that of unit vectors, rounded to Q30, would turn
+        // the picture where they are nearly parallel. It has up to 66 bits. Of a large one the
+        // lowest do not matter.
+        let product = |v: [i64; 3]| -> [i64; 3] {
+            core::array::from_fn(|i| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                v[j] * up[k] - v[k] * up[j]
+            })
+        };
+        let (upper, lower) = (product(way.map(|c| c >> 3)), product(way.map(|c| c & 7)));
+        let is_large = upper.iter().any(|c| c.unsigned_abs() >> 59 != 0);
+        let right = unit(if is_large {
+            upper
+        } else {
+            core::array::from_fn(|i| (upper[i] << 3) + lower[i])
+        });
+        let right = right.ok_or(CameraError::Direction)?;
         Self::new(eye, [right, cross(forward, right), forward], projection, viewport)
     }
 
@@ -220,6 +232,35 @@ mod tests {
             Camera::orbit(Vec3::ZERO, Distance::lit("2"), Turn::ZERO, quarter, lens, screen(9, 9))
                 .unwrap();
         assert_eq!(top.eye(), Vec3::lit("0", "2", "0"));
+    }
+
+    /// The axes of a camera that looks nearly along its up direction, against f64.
+    #[test]
+    fn looking_nearly_upwards_does_not_turn_the_picture() {
+        for (target, up) in [
+            ([1, 1 << 20, 2], [0, 1 << 16, 0]),
+            ([3, 1 << 16, 0], [0, 1 << 16, 0]),
+            ([-7, -(1 << 30), 12], [0, 1, 0]),
+            ([70_000, i32::MAX, -90_000], [5, i32::MAX, 5]),
+            ([123, -456, 789], [1000, -3707, 6414]),
+        ] {
+            let vector = Vec3::from_bits;
+            let camera =
+                Camera::look_at(Vec3::ZERO, vector(target), vector(up), LENS, screen(9, 9))
+                    .unwrap();
+            let [t, u] = [target, up].map(|v| v.map(f64::from));
+            let cross = |a: [f64; 3], b: [f64; 3]| {
+                [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+            };
+            let unit = |v: [f64; 3]| v.map(|c| c / v.iter().map(|c| c * c).sum::<f64>().sqrt());
+            let (forward, right) = (unit(t), unit(cross(t, u)));
+            let want = [right, cross(forward, right), forward];
+            for (got, want) in camera.axes().as_flattened().iter().zip(want.as_flattened()) {
+                // Unit vectors are within 2^-28, and their product within twice that.
+                let error = f64::from(*got) / 2f64.powi(30) - want;
+                assert!(error.abs() < 2f64.powi(-27), "{target:?} {up:?}: {error}");
+            }
+        }
     }
 
     #[test]

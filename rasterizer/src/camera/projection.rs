@@ -3,7 +3,7 @@
 use fixed::types::U16F16;
 
 use super::CameraError;
-use crate::numbers::{Float, Turn};
+use crate::numbers::{Float, Turn, cotangent_of_half};
 
 /// A length or a factor that cannot be negative: Q16.16, up to just under 65,536.
 pub type Distance = U16F16;
@@ -41,13 +41,11 @@ impl Perspective {
         near: Distance,
         far: Distance,
     ) -> Result<Self, CameraError> {
-        let half = vertical_field_of_view.half();
-        let (sin, cos) = (half.sin().to_bits() as i64, half.cos().to_bits() as i64);
-        if sin <= 0 || cos <= 0 {
+        let steps = vertical_field_of_view.to_bits();
+        if steps == 0 || steps >= 1 << 31 {
             return Err(CameraError::FieldOfView);
         }
-        let cotangent = Float::new(cos, 0).times(Float::new(sin, 0).reciprocal());
-        Self::checked(Focal::HalfHeights(cotangent), near, far)
+        Self::checked(Focal::HalfHeights(cotangent_of_half(vertical_field_of_view)), near, far)
     }
 
     /// From the focal length in pixels: the size on the screen of one unit at a distance of one
@@ -184,8 +182,8 @@ mod tests {
         for degrees in 1..180 {
             let lens = Perspective::new(Turn::degrees(degrees), NEAR, FAR).unwrap();
             let want = 120.0 / (f64::from(degrees).to_radians() / 2.0).tan();
-            // The sine of half a degree has 23 significant bits.
-            assert!((pixels(lens, 240) / want - 1.0).abs() < 2f64.powi(-20), "{degrees} degrees");
+            // The angle is a number of 2^-32 turns, 2^-24 of a degree, and the lens within 2^-26.
+            assert!((pixels(lens, 240) / want - 1.0).abs() < 2f64.powi(-22), "{degrees} degrees");
         }
         let lens = Perspective::with_focal_length(Distance::lit("400"), NEAR, FAR).unwrap();
         assert_eq!(pixels(lens, 240), 400.0);

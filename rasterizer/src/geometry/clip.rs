@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     attribute::{Varyings, lerp},
-    numbers::Divisor,
+    numbers::{Coordinate, Divisor},
 };
 
 /// A triangle has three corners, and each of the six planes adds one at most.
@@ -44,8 +44,12 @@ impl ClipPlane {
     /// The distance of a vertex from the plane, negative outside, in a unit of the plane. No
     /// coordinate reaches 2^30.
     #[inline(never)]
-    fn distance<P: Projection, V>(self, vertex: &ClipVertex<V>, transform: &Transform<P>) -> i32 {
-        let ClipVertex { x, y, z, .. } = *vertex;
+    fn distance<P: Projection, C: Coordinate, V>(
+        self,
+        vertex: &ClipVertex<C, V>,
+        transform: &Transform<P>,
+    ) -> i32 {
+        let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(C::units);
         let w = transform.lens.w(z);
         match self {
             Self::Near => z - transform.near,
@@ -58,34 +62,39 @@ impl ClipPlane {
     }
 
     /// Moves a new vertex, which is rounded, exactly onto the plane.
-    fn put_onto<P: Projection, V>(self, vertex: &mut ClipVertex<V>, transform: &Transform<P>) {
-        let w = transform.lens.w(vertex.z);
-        match self {
-            Self::Near => vertex.z = transform.near,
-            Self::Far => vertex.z = transform.far,
-            Self::Left => vertex.x = -w,
-            Self::Right => vertex.x = w,
-            Self::Top => vertex.y = -w,
-            Self::Bottom => vertex.y = w,
-        }
+    fn put_onto<P: Projection, C: Coordinate, V>(
+        self,
+        vertex: &mut ClipVertex<C, V>,
+        transform: &Transform<P>,
+    ) {
+        let w = transform.lens.w(vertex.z.units());
+        let (coordinate, place) = match self {
+            Self::Near => (&mut vertex.z, transform.near),
+            Self::Far => (&mut vertex.z, transform.far),
+            Self::Left => (&mut vertex.x, -w),
+            Self::Right => (&mut vertex.x, w),
+            Self::Top => (&mut vertex.y, -w),
+            Self::Bottom => (&mut vertex.y, w),
+        };
+        *coordinate = C::new(place, 0);
     }
 }
 
 /// Visits the corners of the part of a triangle that lies inside all planes: a convex polygon, in
 /// the triangle's order, or none.
 #[inline(always)]
-pub(crate) fn clip<P: Projection, V: Varyings>(
-    triangle: impl IntoIterator<Item = ClipVertex<V>>,
+pub(crate) fn clip<P: Projection, C: Coordinate, V: Varyings>(
+    triangle: impl IntoIterator<Item = ClipVertex<C, V>>,
     transform: &Transform<P>,
-    visit: impl FnMut(ClipVertex<V>),
+    visit: impl FnMut(ClipVertex<C, V>),
 ) {
-    let mut polygon: Vec<ClipVertex<V>, MAX_CORNERS> = Vec::new();
+    let mut polygon: Vec<ClipVertex<C, V>, MAX_CORNERS> = Vec::new();
     for corner in triangle {
         // Three corners fit nine places; the result of a push is an error only where they don't.
         let _ = polygon.push(corner);
     }
     for plane in PLANES {
-        let mut cut: Vec<ClipVertex<V>, MAX_CORNERS> = Vec::new();
+        let mut cut: Vec<ClipVertex<C, V>, MAX_CORNERS> = Vec::new();
         let Some(mut from) = polygon.last() else {
             break;
         };
@@ -112,17 +121,18 @@ pub(crate) fn clip<P: Projection, V: Varyings>(
 
 /// The intersection of an edge with a plane, by the signed distances of both ends from it.
 #[inline(never)]
-fn crossing<V: Varyings>(
-    inside: &ClipVertex<V>,
-    outside: &ClipVertex<V>,
+fn crossing<C: Coordinate, V: Varyings>(
+    inside: &ClipVertex<C, V>,
+    outside: &ClipVertex<C, V>,
     inside_distance: i32,
     outside_distance: i32,
-) -> ClipVertex<V> {
+) -> ClipVertex<C, V> {
     // Distances are below 2^31: the shifted dividend is below 2^61, and t at most 2^30.
     let length = inside_distance.abs_diff(outside_distance);
     let (t, _) = Divisor::new(length.into()).divide(i64::from(inside_distance) << 30);
     let t = t as u32;
-    let between = |a: i32, b: i32| lerp(i64::from(a), i64::from(b), t) as i32;
+    let between =
+        |a: C, b: C| C::new(lerp(i64::from(a.units()), i64::from(b.units()), t) as i32, 0);
     ClipVertex {
         x: between(inside.x, outside.x),
         y: between(inside.y, outside.y),
@@ -142,8 +152,8 @@ mod tests {
     use crate::{
         camera::{Camera, Distance, Perspective},
         geometry::Pose,
-        mesh::Tables,
-        numbers::{Rotation, Scale, Vec3},
+        mesh::{Material, Mesh, Positions, Tables, Triangles},
+        numbers::{Rotation, S4, Scale, Vec3},
         random::Random,
     };
 
@@ -156,24 +166,30 @@ mod tests {
         .unwrap();
         let viewport = Rectangle::new(Point::zero(), Size::new(64, 64));
         let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, viewport).unwrap();
-        let tables = Tables { scale: Scale::new(1, -10), ..Tables::EMPTY };
-        Transform::new(&camera, &Pose::IDENTITY, &tables)
+        let tables = Tables {
+            positions: Positions::I16(&[[i16::MIN; 3], [i16::MAX; 3]]),
+            scale: Scale::new(1, -10),
+            triangles: Triangles::U8(&[[0; 3]]),
+            materials: const { &[Material::new([0; 3], 1)] },
+            ..Tables::EMPTY
+        };
+        Transform::new::<S4>(&camera, &Pose::IDENTITY, &Mesh::new_const(tables))
     }
 
-    fn vertex(transform: &Transform<Perspective>, position: [i16; 3]) -> ClipVertex<[u16; 1]> {
+    fn vertex(transform: &Transform<Perspective>, position: [i16; 3]) -> ClipVertex<i32, [u16; 1]> {
         transform.object_to_clip(position, [position[0] as u16 ^ 0x8000])
     }
 
     fn polygon(
-        triangle: [ClipVertex<[u16; 1]>; 3],
+        triangle: [ClipVertex<i32, [u16; 1]>; 3],
         transform: &Transform<Perspective>,
-    ) -> Vec<ClipVertex<[u16; 1]>, MAX_CORNERS> {
+    ) -> Vec<ClipVertex<i32, [u16; 1]>, MAX_CORNERS> {
         let mut polygon = Vec::new();
         clip(triangle, transform, |corner| polygon.push(corner).unwrap());
         polygon
     }
 
-    fn is_inside(vertex: &ClipVertex<[u16; 1]>, transform: &Transform<Perspective>) -> bool {
+    fn is_inside(vertex: &ClipVertex<i32, [u16; 1]>, transform: &Transform<Perspective>) -> bool {
         PLANES.iter().all(|plane| plane.distance(vertex, transform) >= 0)
     }
 
@@ -210,6 +226,39 @@ mod tests {
             }
         }
         assert!(largest >= 6, "no triangle met several planes");
+    }
+
+    /// Edges that cross one plane, against the exact crossing: within the 4 units that `ClipAll`
+    /// documents. Its ends are known to a unit, and so is what is interpolated between them.
+    #[test]
+    fn cut_corners_are_where_the_edge_meets_the_plane() {
+        let transform = transform();
+        let mut random = Random::new(17);
+        let (mut cut, mut worst) = (0, 0f64);
+        for _ in 0..50_000 {
+            let [a, b] =
+                [0; 2].map(|_| vertex(&transform, [0; 3].map(|_| coordinate(&mut random))));
+            let crossed: Vec<_, 6> =
+                PLANES.into_iter().filter(|plane| plane.distance(&b, &transform) < 0).collect();
+            let [plane] = crossed.as_slice() else {
+                continue;
+            };
+            if !is_inside(&a, &transform) {
+                continue;
+            }
+            let ends = [plane.distance(&a, &transform), plane.distance(&b, &transform)];
+            let t = f64::from(ends[0]) / (f64::from(ends[0]) - f64::from(ends[1]));
+            let exact = |a: i32, b: i32| f64::from(a) + (f64::from(b) - f64::from(a)) * t;
+            let exact = [exact(a.x, b.x), exact(a.y, b.y), exact(a.z, b.z)];
+            for corner in polygon([a, b, b], &transform).iter().filter(|corner| **corner != a) {
+                cut += 1;
+                for (got, want) in [corner.x, corner.y, corner.z].into_iter().zip(exact) {
+                    worst = worst.max((f64::from(got) - want).abs());
+                }
+            }
+        }
+        assert!(cut > 1000, "only {cut} edges were cut");
+        assert!(worst <= 2.0, "{worst}");
     }
 
     /// The corners on an edge are the same whichever triangle it belongs to and whichever way it

@@ -3,7 +3,7 @@
 use crate::{
     attribute::InverseW,
     camera::{Orthographic, Perspective},
-    numbers::{Float, Reciprocal, mul_high_unsigned},
+    numbers::{Coordinate, Float, Reciprocal, mul_high_unsigned},
 };
 
 /// [`Perspective`] or [`Orthographic`].
@@ -28,6 +28,10 @@ pub(crate) trait Sealed {
     /// guard band at w = 1) and z lie below 2^`xy` and 2^`z`.
     fn units(&self, xy: i32, z: i32) -> Units;
 
+    /// The least w that a vertex on the screen has for each length of its distance from the eye,
+    /// times a distance: what a matrix that is exact near the eye is as good as.
+    fn least_w(&self, reach: &Reach) -> i32;
+
     /// The lens for these units.
     fn lens(&self, units: Units) -> Self::Lens;
 }
@@ -41,16 +45,29 @@ pub(crate) struct Units {
     pub(crate) z: i32,
 }
 
+/// How far an object reaches.
+pub(crate) struct Reach {
+    /// In world units.
+    pub(super) distance: Float,
+    /// Guard bands for a world unit at w = 1.
+    pub(super) across: Float,
+    /// The least w of a vertex on the screen, in units of w.
+    pub(super) least_w: i32,
+    /// The sum of the largest |x| and |y|, in units of x and y.
+    pub(super) side: i64,
+    pub(super) units: Units,
+}
+
 /// A projection of vertices in clip space.
 pub(crate) trait Lens: Copy + core::fmt::Debug {
-    /// Whether w = 1 is at least one unit of clip space.
-    fn is_in_range(&self) -> bool;
+    /// The least w of a vertex within the near plane, for an object whose least z this is.
+    fn least_w(&self, z: i32) -> i32;
 
     /// The divisor of x and y: over 0 and below 2^30 for a z from the near plane on.
     fn w(&self, z: i32) -> i32;
 
     /// 1 / 2 w.
-    fn reciprocal_of_twice(&self, w: i32) -> Reciprocal;
+    fn reciprocal_of_twice_w<C: Coordinate>(&self, z: C) -> Reciprocal;
 
     /// Depth in Q0.32.
     fn depth(&self, z: i32, reciprocal: Reciprocal) -> u32;
@@ -87,6 +104,25 @@ impl Sealed for Perspective {
         Units { xy: unit, z: unit }
     }
 
+    /// On the screen at a distance w along the axis: at most w (1 + 1.5 / f) from the eye, where f
+    /// is the focal length in guard bands and (w / f, w / f, w) a corner of the guard band; and at
+    /// most w and what the object reaches to the side.
+    fn least_w(&self, reach: &Reach) -> i32 {
+        const ROOT: Float = Float::new(3, -1);
+        let &Reach { distance, across, least_w, side, units } = reach;
+        // A translation is exact to 2^-16 units: a 2^25th of 2^9 units of near distance.
+        if units.z > -9 {
+            return 0;
+        }
+        let deep = self.per_near();
+        let in_guard_band = across.over(across.plus(deep.times(ROOT)));
+        let least = Float::new(least_w.into(), 0).times(across);
+        let to_side = least.over(least.plus(Float::new(side, 0).times(deep)));
+        let [a, b] = [in_guard_band, to_side]
+            .map(|part| distance.times(deep).times(part).in_units_of(units.z));
+        a.max(b)
+    }
+
     fn lens(&self, units: Units) -> PerspectiveLens {
         PerspectiveLens { down: (30 + units.z).max(0).unsigned_abs() }
     }
@@ -101,8 +137,8 @@ pub(crate) struct PerspectiveLens {
 }
 
 impl Lens for PerspectiveLens {
-    fn is_in_range(&self) -> bool {
-        true
+    fn least_w(&self, z: i32) -> i32 {
+        z.max(BEYOND >> self.down.min(30))
     }
 
     #[inline(always)]
@@ -111,8 +147,8 @@ impl Lens for PerspectiveLens {
     }
 
     #[inline(always)]
-    fn reciprocal_of_twice(&self, w: i32) -> Reciprocal {
-        Reciprocal::of((w << 1) as u32)
+    fn reciprocal_of_twice_w<C: Coordinate>(&self, z: C) -> Reciprocal {
+        Reciprocal::of_words(z.shifted_units(1).cast_unsigned(), z.fraction() << 1)
     }
 
     #[inline(always)]
@@ -153,6 +189,11 @@ impl Sealed for Orthographic {
         }
     }
 
+    /// w is the same everywhere, and the lens has it.
+    fn least_w(&self, _: &Reach) -> i32 {
+        0
+    }
+
     fn lens(&self, units: Units) -> OrthographicLens {
         let [near, far] = self.depth_range(units);
         let w = 1i32.checked_shl(units.xy.wrapping_neg() as u32).unwrap_or(0);
@@ -175,8 +216,8 @@ pub(crate) struct OrthographicLens {
 }
 
 impl Lens for OrthographicLens {
-    fn is_in_range(&self) -> bool {
-        self.w != 0
+    fn least_w(&self, _: i32) -> i32 {
+        self.w
     }
 
     #[inline(always)]
@@ -185,7 +226,7 @@ impl Lens for OrthographicLens {
     }
 
     #[inline(always)]
-    fn reciprocal_of_twice(&self, _: i32) -> Reciprocal {
+    fn reciprocal_of_twice_w<C: Coordinate>(&self, _: C) -> Reciprocal {
         self.reciprocal
     }
 

@@ -47,16 +47,40 @@ impl Default for Pose {
     }
 }
 
-/// The object is too large or too far away for a parallel projection's number range: about
-/// 2<sup>30</sup> guard bands. Precision degrades long before that: positions are accurate to
-/// 2<sup>-27</sup> of the largest of the object's distance from the camera, the model's distance
-/// from its own origin, and how far across the object lies in guard bands.
+/// The object is too large, or comes too near, for the number range of [`S4`] or [`S8`].
+///
+/// A vertex is placed within 5/8 of a sub-pixel of where exact arithmetic on the tables, the pose
+/// and the camera puts it: half for snapping, an eighth for arithmetic. (In the last sub-pixel of
+/// the guard band, 1,024 pixels to the right of or below the viewport's middle, one more.) An
+/// object for which 32-bit products cannot promise that is refused.
+///
+/// With f the focal length over 1,024 pixels, let h be the largest |coordinate| of the mesh's
+/// positions, in world units; let m be the largest of |x| f, |y| f and |z| that a point within
+/// 1.75 h of the mesh's origin has in the camera's axes, rounded up to a power of two; and let w be
+/// the least z of such a point, or the near distance if that is larger. The limit is
+///
+/// * with [`S4`] m <= 1,024 w;
+/// * with [`S8`] m <= 64 w, or else, with 3.5 h for 1.75 h in m, both m <= 64 d / k and m <=
+///   2<sup>21</sup> near distances. Here d is 4 h or the distance of the mesh's box from the eye if
+///   that is larger; k is 1 + 1.5 / f, or (w + s) / w if that is less, where s is the sum of the
+///   largest |x| and |y| of the box.
+///
+/// In a parallel projection f is the length of a world unit in pixels over 1,024, w is 1, and the
+/// conditions on m and w alone count: an object may be 1,024 or 64 times as wide as the guard band.
+/// Further, the mesh's origin lies within 2<sup>16</sup> units of the pose's, and w is at least
+/// 2<sup>-22</sup> units with S4 and 2<sup>-18</sup> with S8, or f times that if f is over 1.
+///
+/// [`S4`]: crate::numbers::S4
+/// [`S8`]: crate::numbers::S8
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PoseError;
 
 impl core::fmt::Display for PoseError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str("the object is too large or too far away: make its scale or its offset smaller")
+        f.write_str(
+            "the object is too large for how near it comes: move the near plane away, use S8, split \
+             the mesh, or make its scale or its offset smaller",
+        )
     }
 }
 

@@ -1,118 +1,123 @@
 //! The rows of the matrix from object space to clip space: computed once a frame, applied to each
 //! vertex.
 
-use super::Pose;
+use super::axis::{Axis, Grid};
 use crate::{
-    mesh::Tables,
-    numbers::{Float, IS_NARROW, Vec3, codegen::keep_rolled, normalised},
+    mesh::Mesh,
+    numbers::{Coordinate, Float, IS_NARROW, codegen::keep_rolled, mul_wide_q30, shifted},
 };
 
-/// One coordinate of clip space as a function of an object's position: a row of the 3 x 4 matrix.
+/// One coordinate of clip space as a function of an object's position in normalised quanta: a row
+/// of the 3 x 4 matrix.
 ///
-/// Its entries have 14 bits behind the point of a clip-space unit, and are below 2^29. Where there
-/// is no long multiply they are kept as `high * 2^14 + low`: then all products with positions of 16
-/// bits, and their sums, fit 32 bits.
+/// Entries and translation have 15 bits behind the point of a clip-space unit, and entries are
+/// below 2^30. Where there is no long multiply they are kept as `high * 2^15 + low`, where the
+/// lower part has a sign: then the products of three of them with positions of 16 bits stay below
+/// 3 x 2^29, and their sum fits 32 bits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
     /// The entries with 16 bits behind the point, or their upper and their lower parts.
     entries: [[i32; 3]; PARTS],
-    translation: i32,
+    /// The translation's whole units, and 32 bits or 15 bits behind the point.
+    translation: (i32, u32),
 }
 
-const FRACTION_BITS: u32 = 14;
+/// Bits behind the point.
+const FRACTION_BITS: u32 = 15;
 
 impl<const PARTS: usize> Row<PARTS> {
-    /// The row's terms in units of 2^`unit`.
+    /// The row of one of the camera's axes in units of 2^`unit`.
+    // codegen: not inlined, like all that builds the matrix: it runs for each of three rows once a
+    // frame.
     #[inline(never)]
-    pub(super) fn new(terms: &Terms, unit: i32) -> Self {
-        let mut row =
-            Self { entries: [[0; 3]; PARTS], translation: terms.translation.in_units_of(unit) };
-        for (column, term) in terms.reaches.iter().enumerate() {
-            // For a quantum, a 2^15th of the reach.
-            let entry = term.in_units_of(unit + 15 - FRACTION_BITS as i32);
+    pub(super) fn new<C: Coordinate>(axis: &Axis, grid: &Grid, unit: i32) -> Self {
+        let step = unit - FRACTION_BITS.cast_signed();
+        let (origin, quantum) = (axis.origin(), grid.quantum.times(axis.magnification));
+        // The translation makes the anchor exact. Half a unit, so that whole ones are rounded.
+        let (mut translation, half) = if C::HAS_FRACTION {
+            (shifted(origin.mantissa.into(), origin.exponent - step), 0)
+        } else {
+            (i64::from(origin.in_units_of(unit)) << FRACTION_BITS, 1 << (FRACTION_BITS - 1))
+        };
+        let mut row = Self { entries: [[0; 3]; PARTS], translation: (0, 0) };
+        for (column, (&direction, &anchor)) in axis.direction.iter().zip(&grid.anchor).enumerate() {
+            keep_rolled();
+            // Q60 times a mantissa, over 2^30.
+            let entry = mul_wide_q30(direction, quantum.mantissa);
+            let exponent = quantum.exponent - 30;
+            let entry = if C::HAS_FRACTION {
+                shifted(entry, exponent - step) as i32
+            } else {
+                Float::new(entry, exponent).in_units_of(step)
+            };
+            if C::HAS_FRACTION {
+                translation -= i64::from(entry) * i64::from(anchor);
+            }
             match row.entries.as_mut_slice() {
                 [whole] => whole[column] = entry << (16 - FRACTION_BITS),
                 [high, low] => {
-                    high[column] = entry >> FRACTION_BITS;
-                    low[column] = entry & ((1 << FRACTION_BITS) - 1);
+                    high[column] = (entry + (1 << (FRACTION_BITS - 1))) >> FRACTION_BITS;
+                    low[column] = entry - (high[column] << FRACTION_BITS);
                 }
                 _ => {}
             }
         }
+        // A translation beyond 32 bits of units wraps round, and what is added to it wraps back.
+        let units = (translation >> FRACTION_BITS) as i32;
+        let fraction = (translation as u32 & ((1 << FRACTION_BITS) - 1)) | half;
+        let shift = if PARTS == 1 { 32 - FRACTION_BITS } else { 0 };
+        row.translation = (units, fraction << shift);
         row
     }
 
-    /// ⌊entries . p⌋ + translation, exactly.
+    /// The least coordinate of all positions in the mesh's bounds, or the greatest.
+    #[inline(never)]
+    pub(super) fn end(&self, mesh: &Mesh<'_>, is_greatest: bool) -> i32 {
+        let mut sum = self.translation.0;
+        for column in 0..3 {
+            keep_rolled();
+            let entry = match self.entries.as_slice() {
+                [whole] => whole[column] >> (16 - FRACTION_BITS),
+                [high, low] => (high[column] << FRACTION_BITS) + low[column],
+                _ => 0,
+            };
+            let bounds = mesh.bounds();
+            let end = if (entry < 0) == is_greatest { bounds.min } else { bounds.max };
+            let end = i32::from(end[column]) << mesh.spare_bits();
+            let product = i64::from(entry) * i64::from(end);
+            sum = sum.wrapping_add((product >> FRACTION_BITS) as i32);
+        }
+        sum
+    }
+
+    /// By how many bits [`apply`](Self::apply) wants positions shifted up.
+    pub(super) const POSITION_SHIFT: u32 = if PARTS == 1 { 16 } else { 0 };
+
+    /// entries . p + translation, exactly.
     #[inline(always)]
-    pub(super) fn apply(&self, p: [i32; 3]) -> i32 {
-        let product =
-            |entries: &[i32; 3]| entries[0] * p[0] + entries[1] * p[1] + entries[2] * p[2];
-        let sum = match self.entries.as_slice() {
+    pub(super) fn apply<C: Coordinate>(&self, p: [i32; 3]) -> C {
+        let (units, fraction) = self.translation;
+        match self.entries.as_slice() {
             [whole] => {
-                // With 16 bits each behind the point, the integer is the upper word.
-                let [x, y, z] =
-                    core::array::from_fn(|i| i64::from(whole[i]) * i64::from(p[i] << 16));
-                ((x + y + z) >> 32) as i32
+                // With 16 bits each behind the point.
+                let product = |i: usize| i64::from(whole[i]) * i64::from(p[i]);
+                let sum = i64::new(units, fraction)
+                    .wrapping_add(product(0))
+                    .wrapping_add(product(1))
+                    .wrapping_add(product(2));
+                C::new(sum.units(), sum.fraction())
             }
-            [high, low] => product(high) + (product(low) >> FRACTION_BITS),
-            _ => 0,
-        };
-        sum + self.translation
-    }
-}
-
-/// A row before its unit is known.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Terms {
-    /// The most that each coordinate of a position adds: at 2^15 quanta.
-    pub(super) reaches: [Float; 3],
-    pub(super) translation: Float,
-}
-
-impl Terms {
-    /// `axis` is a camera axis; `magnification` is the clip-space length of one world unit along
-    /// it.
-    // codegen: not inlined, like all that builds the matrix: it runs for each of three rows once a
-    // frame.
-    #[inline(never)]
-    pub(super) fn new(
-        axis: &[i32; 3],
-        magnification: Float,
-        eye: &Vec3,
-        pose: &Pose,
-        tables: &Tables<'_>,
-    ) -> Self {
-        let direction = pose.rotation.turn_back(axis);
-        let scale = Float::from_unsigned(pose.scale);
-        let offset = Float::new(tables.offset.along(&direction), -46).times(scale);
-        // Each below 2^62, as an axis has length one.
-        let way = pose.translation.along(axis) - eye.along(axis);
-        let mut reach = scale.times(Float::from_scale(tables.scale)).times(magnification);
-        // From a quantum to the farthest.
-        reach.exponent += 15;
-        Self {
-            reaches: direction.map(|c| Float::new(i64::from(c), -30).times(reach)),
-            translation: Float::new(way, -46).plus(offset).times(magnification),
+            [high, low] => {
+                let product = |entries: &[i32; 3]| {
+                    let product = |i: usize| entries[i].wrapping_mul(p[i]);
+                    product(0).wrapping_add(product(1)).wrapping_add(product(2))
+                };
+                let fraction = product(low) + fraction.cast_signed();
+                let carry = fraction >> FRACTION_BITS;
+                let units = product(high).wrapping_add(units).wrapping_add(carry);
+                C::new(units, fraction.cast_unsigned() << (32 - FRACTION_BITS))
+            }
+            _ => C::new(0, 0),
         }
-    }
-
-    /// The least n for which a coordinate stays below 2^n.
-    #[inline(never)]
-    pub(super) fn magnitude(&self) -> i32 {
-        // Added in a unit in which none of the four reaches 2^28, plus what rounding takes off
-        // them.
-        let mut most = self.translation.exponent;
-        for reach in &self.reaches {
-            keep_rolled();
-            most = most.max(reach.exponent);
-        }
-        let unit = most + 31 - 28;
-        let mut sum = self.translation.in_units_of(unit).unsigned_abs() + 4;
-        for reach in &self.reaches {
-            keep_rolled();
-            sum += reach.in_units_of(unit).unsigned_abs();
-        }
-        let (_, leading_zeros) = normalised(sum);
-        unit + 32 - leading_zeros as i32
     }
 }

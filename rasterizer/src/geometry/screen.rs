@@ -33,8 +33,11 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> ScreenVertex<S, D, V> {
     }
 
     /// From its coordinates in sub-pixels from the display's top-left corner. Returns `None` unless
-    /// they lie within -1,024 <= x, y < 1,024 pixels, for which
-    /// [`Triangle`](crate::raster::Triangle) is exact.
+    /// they lie within -1,024 <= x, y < 1,024 pixels: a [`Triangle`](crate::raster::Triangle) of
+    /// such vertices is exact.
+    ///
+    /// So is one of vertices that lie as near to another point, such as those of an object, which
+    /// are within 1,024 pixels of their viewport's middle; this does not take them.
     #[must_use]
     pub const fn checked(x: i32, y: i32, depth: D, varyings: V) -> Option<Self> {
         let limit = 1 << (GUARD_BITS + S::BITS);

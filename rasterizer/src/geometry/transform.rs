@@ -2,15 +2,16 @@
 
 use super::{
     Pose, PoseError, Projection, ScreenVertex,
-    lens::Lens,
-    row::{Row, Terms},
+    axis::{self, Axis, Grid},
+    lens::{Lens, Reach},
+    row::Row,
     screen::GUARD_BITS,
 };
 use crate::{
     attribute::{DepthFormat, Interpolate, Varyings},
     camera::Camera,
-    mesh::{BoundingBox, Tables},
-    numbers::{Subpixel, codegen, mul_high, saturate},
+    mesh::{BoundingBox, Mesh},
+    numbers::{Coordinate, Subpixel, codegen, mul_high, saturate},
 };
 
 /// A point in clip space.
@@ -18,13 +19,13 @@ use crate::{
 /// The units are an object's own, chosen so that no coordinate of a vertex reaches 2^30. `|x| <= w`
 /// and `|y| <= w` is the guard band: w stands for 1,024 pixels, for every focal length.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct ClipVertex<V> {
+pub(crate) struct ClipVertex<C, V> {
     /// To the right.
-    pub(crate) x: i32,
+    pub(crate) x: C,
     /// Downwards.
-    pub(crate) y: i32,
+    pub(crate) y: C,
     /// Away from the camera.
-    pub(crate) z: i32,
+    pub(crate) z: C,
     pub(crate) varyings: V,
 }
 
@@ -37,38 +38,81 @@ pub(crate) struct Transform<P: Projection> {
     pub(super) near: i32,
     pub(super) far: i32,
     pub(super) lens: P::Lens,
+    /// By how many bits positions are shifted up.
+    position_shift: u32,
+    /// Whether all vertices in front of the near plane are placed as exactly as promised.
+    is_exact: bool,
     /// The viewport's middle in half pixels.
     center: [i32; 2],
 }
 
 impl<P: Projection> Transform<P> {
-    /// Pose, camera, focal length and the mesh's own scale in one matrix.
+    /// Pose, camera, focal length and the mesh's own scale in one matrix. Where coordinates have a
+    /// fraction, it is exact near the eye if it must be.
     // codegen: not inlined, or the caller's frame would hold its temporaries while triangles are
     // drawn.
     #[inline(never)]
-    pub(crate) fn new(camera: &Camera<P>, pose: &Pose, tables: &Tables<'_>) -> Self {
+    pub(crate) fn new<S: Subpixel>(camera: &Camera<P>, pose: &Pose, mesh: &Mesh<'_>) -> Self {
         let projection = camera.projection();
         let viewport = camera.viewport();
-        // Guard bands for a world unit at w = 1, and units of z.
-        let [mut across, deep] = projection.magnification(viewport.size.height);
-        across.exponent -= GUARD_BITS as i32;
-        let eye = camera.eye();
-        let terms = |axis: usize, magnification| {
-            Terms::new(&camera.axes()[axis], magnification, &eye, pose, tables)
-        };
-        let (x, y, z) = (terms(0, across), terms(1, across), terms(2, deep));
-
-        let units = projection.units(x.magnitude().max(y.magnitude()), z.magnitude());
-        let [near, far] = projection.depth_range(units);
         let (corner, size) = (viewport.top_left, viewport.size);
-        Self {
-            x: Row::new(&x, units.xy),
-            y: Row::new(&y, units.xy),
-            z: Row::new(&z, units.z),
-            near,
-            far,
-            lens: projection.lens(units),
-            center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
+        // Guard bands for a world unit at w = 1, and units of z.
+        let [mut across, deep] = projection.magnification(size.height);
+        across.exponent -= GUARD_BITS as i32;
+        let offset = mesh.tables().offset;
+        let axis = |axis, magnification| Axis::new(camera, axis, magnification, pose, offset);
+        let (mut x_axis, mut y_axis, mut z_axis) =
+            (axis(0, across), axis(1, across), axis(2, deep));
+        let mut grid = Grid::new(pose, mesh);
+        let mut is_in_range = axis::is_offset_in_range(pose, offset);
+        let mut is_moved = false;
+        let mut reach = z_axis.reach(&grid);
+        reach.mantissa = -reach.mantissa;
+        let least_z = z_axis.origin().plus(reach);
+        loop {
+            let units = projection.units(
+                x_axis.magnitude(&grid).max(y_axis.magnitude(&grid)),
+                z_axis.magnitude(&grid),
+            );
+            let [near, far] = projection.depth_range(units);
+            let lens = projection.lens(units);
+            let mut least_w = lens.least_w(least_z.in_units_of(units.z));
+            if is_moved {
+                let [x, y] = [&x_axis, &y_axis].map(|axis| {
+                    let row = <Row>::new::<S::Coordinate>(axis, &grid, units.xy);
+                    row.end(mesh, false).saturating_abs().max(row.end(mesh, true).saturating_abs())
+                });
+                let near_axis = projection.least_w(&Reach {
+                    distance: grid.distance([&x_axis, &y_axis, &z_axis]),
+                    across,
+                    least_w,
+                    side: i64::from(x) + i64::from(y),
+                    units,
+                });
+                least_w = least_w.max(near_axis);
+            }
+            // In units, a coordinate is off by 3.7 at most: 1.9 for the entries, 0.5 each for
+            // rounding the translation and the sum, the rest for the 31 bits of lengths; with a
+            // fraction by 3.5. That much of x and of w move a vertex by an eighth of a sub-pixel at
+            // most if w is this large. So do the steps of the way, eight of which it is off by.
+            let step = across.magnitude().max(deep.magnitude()) - axis::FRACTION_BITS - units.xy;
+            let bits = (step + 18).max(16) + S::BITS as i32;
+            let is_exact = is_in_range && bits < 31 && least_w >> bits != 0;
+            if is_exact || is_moved || !S::Coordinate::HAS_FRACTION {
+                break Self {
+                    x: Row::new::<S::Coordinate>(&x_axis, &grid, units.xy),
+                    y: Row::new::<S::Coordinate>(&y_axis, &grid, units.xy),
+                    z: Row::new::<S::Coordinate>(&z_axis, &grid, units.z),
+                    near,
+                    far,
+                    lens,
+                    position_shift: mesh.spare_bits() + <Row>::POSITION_SHIFT,
+                    is_exact,
+                    center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
+                };
+            }
+            is_in_range &= grid.move_anchor([&mut x_axis, &mut y_axis, &mut z_axis], mesh);
+            is_moved = true;
         }
     }
 
@@ -83,21 +127,27 @@ impl<P: Projection> Transform<P> {
             near: self.near,
             far: self.far,
             lens: self.lens,
+            position_shift: self.position_shift,
+            is_exact: self.is_exact,
             center: self.center,
         }
     }
 
     /// Checks that the object fits the projection's number range. Call this first: no other method
     /// is valid until it succeeds.
-    pub(crate) fn check(&self) -> Result<(), PoseError> {
-        self.lens.is_in_range().then_some(()).ok_or(PoseError)
+    pub(crate) const fn check(&self) -> Result<(), PoseError> {
+        if self.is_exact { Ok(()) } else { Err(PoseError) }
     }
 
     /// A position of the mesh in clip space.
     #[inline(always)]
-    pub(crate) fn object_to_clip<V>(&self, position: [i16; 3], varyings: V) -> ClipVertex<V> {
-        let [x, y, z] = position;
-        let p = [i32::from(x), i32::from(y), i32::from(z)];
+    pub(crate) fn object_to_clip<C: Coordinate, V>(
+        &self,
+        position: [i16; 3],
+        varyings: V,
+    ) -> ClipVertex<C, V> {
+        let shifted = |axis: usize| i32::from(position[axis]) << self.position_shift;
+        let p = [shifted(0), shifted(1), shifted(2)];
         ClipVertex { x: self.x.apply(p), y: self.y.apply(p), z: self.z.apply(p), varyings }
     }
 
@@ -105,7 +155,7 @@ impl<P: Projection> Transform<P> {
     /// boxes and clipped triangles.
     #[cold]
     #[inline(never)]
-    pub(crate) fn object_to_clip_outlined(&self, position: [i16; 3]) -> [i32; 3] {
+    pub(crate) fn object_to_clip_outlined<C: Coordinate>(&self, position: [i16; 3]) -> [C; 3] {
         let ClipVertex { x, y, z, .. } = self.object_to_clip(position, ());
         [x, y, z]
     }
@@ -115,27 +165,29 @@ impl<P: Projection> Transform<P> {
     #[inline(always)]
     pub(crate) fn clip_to_screen<S: Subpixel, D: DepthFormat, V: Varyings>(
         &self,
-        vertex: ClipVertex<V>,
+        vertex: ClipVertex<S::Coordinate, V>,
     ) -> ScreenVertex<S, D, V::OnScreen> {
-        let ClipVertex { x, y, z, varyings } = vertex;
+        let ClipVertex { varyings, .. } = vertex;
+        let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(S::Coordinate::units);
         let w = self.lens.w(z);
         // Negative if one of them is: no coordinate reaches 2^30.
         if ((z - self.near) | (self.far - z) | (w - x) | (w + x) | (w - y) | (w + y)) < 0 {
             return ScreenVertex::off_screen(V::OnScreen::ZERO);
         }
-        let reciprocal = self.lens.reciprocal_of_twice(w);
+        let reciprocal = self.lens.reciprocal_of_twice_w(vertex.z);
         // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper
         // half has 29 bits behind the point; 10 + S of them are sub-pixels of the guard band.
-        let to_subpixels = |c: i32, center: i32| {
-            let quotient = mul_high(c << reciprocal.leading_zeros, reciprocal.mantissa);
+        let to_subpixels = |c: S::Coordinate, center: i32| {
+            let c = c.shifted_units(reciprocal.leading_zeros);
+            let quotient = mul_high(c, reciprocal.mantissa);
             let drop = 29 - GUARD_BITS - S::BITS;
             let subpixels = (quotient + (1 << (drop - 1))) >> drop;
             let limit = 1 << (GUARD_BITS + S::BITS);
             saturate(subpixels, limit) + (center << (S::BITS - 1))
         };
         ScreenVertex::new(
-            to_subpixels(x, self.center[0]),
-            to_subpixels(y, self.center[1]),
+            to_subpixels(vertex.x, self.center[0]),
+            to_subpixels(vertex.y, self.center[1]),
             D::from_fraction(self.lens.depth(z, reciprocal)),
             varyings.on_screen(self.lens.inverse_w(reciprocal)),
         )
@@ -143,10 +195,14 @@ impl<P: Projection> Transform<P> {
 
     /// Whether a box is certain to lie outside a picture of `size` pixels in width and height: all
     /// its corners beyond one and the same plane.
-    pub(crate) fn is_outside_view(&self, cuboid: &BoundingBox, size: [i32; 2]) -> bool {
+    pub(crate) fn is_outside_view<C: Coordinate>(
+        &self,
+        cuboid: &BoundingBox,
+        size: [i32; 2],
+    ) -> bool {
         let mut beyond_all = 0b11_1111;
         for index in 0..codegen::unknown(8) {
-            beyond_all &= self.beyond(cuboid.corner(index), size);
+            beyond_all &= self.beyond::<C>(cuboid.corner(index), size);
             if beyond_all == 0 {
                 return false;
             }
@@ -157,8 +213,12 @@ impl<P: Projection> Transform<P> {
     /// The planes of the picture beyond which a position lies: a bit for each of the six.
     // codegen: not inlined, because compilers repeat it for each corner of a box.
     #[inline(never)]
-    pub(crate) fn beyond(&self, position: [i16; 3], [width, height]: [i32; 2]) -> u8 {
-        let [x, y, z] = self.object_to_clip_outlined(position);
+    pub(crate) fn beyond<C: Coordinate>(
+        &self,
+        position: [i16; 3],
+        [width, height]: [i32; 2],
+    ) -> u8 {
+        let [x, y, z] = self.object_to_clip_outlined(position).map(C::units);
         // A pixel wider than the viewport, so that rounding cannot hide a visible edge.
         let (across, down) = (width / 2 + 2, height / 2 + 2);
         // A pixel's width, rounded up: the sides move outwards, and their products stay below 2^31
@@ -181,8 +241,8 @@ mod tests {
     use super::*;
     use crate::{
         camera::{Orthographic, Perspective},
-        mesh::Positions,
-        numbers::{Float, Rotation, S4, S8, Scale, Turn, Vec3},
+        mesh::{Material, Positions, Tables, Triangles},
+        numbers::{Rotation, S4, S8, Scale, Turn, Vec3},
         random::Random,
     };
 
@@ -191,14 +251,22 @@ mod tests {
     const NEAR: U16F16 = U16F16::lit("0.25");
     const FAR: U16F16 = U16F16::lit("50");
 
+    const MATERIALS: [Material; 1] = [Material::new([0; 3], 1)];
+
     fn tables(positions: &[[i16; 3]]) -> Tables<'_> {
         Tables {
             positions: Positions::I16(positions),
             // A half-extent of 1.5.
             scale: Scale::new(3, -16),
             offset: Vec3::lit("0.5", "-0.25", "0.125"),
+            triangles: Triangles::U8(&[[0; 3]]),
+            materials: &MATERIALS,
             ..Tables::EMPTY
         }
+    }
+
+    fn mesh(positions: &[[i16; 3]]) -> Mesh<'_> {
+        Mesh::new_const(tables(positions))
     }
 
     fn coordinate(random: &mut Random) -> i16 {
@@ -255,7 +323,7 @@ mod tests {
             let positions: Vec<[i16; 3]> =
                 (0..20).map(|_| [0; 3].map(|_| coordinate(&mut random))).collect();
             let camera = Camera::at(case.eye, case.rotation, projection, VIEWPORT).unwrap();
-            let transform = Transform::new(&camera, &case.pose, &tables(&positions));
+            let transform = Transform::new::<S>(&camera, &case.pose, &mesh(&positions));
             let mut is_seen = false;
             for &position in &positions {
                 let [right, up, forward] = case.view(position);
@@ -288,30 +356,13 @@ mod tests {
             if is_seen {
                 seen += 1;
                 assert!(
-                    !transform.is_outside_view(&BoundingBox::of(&positions), [321, 240]),
+                    !transform
+                        .is_outside_view::<S::Coordinate>(&BoundingBox::of(&positions), [321, 240]),
                     "a box is hidden that shows"
                 );
             }
         }
         assert!(seen > 20, "only {seen} cases show anything");
-    }
-
-    /// Only the form differs, and the instructions that cores need for it.
-    #[test]
-    fn rows_in_parts_give_what_whole_rows_give() {
-        let mut random = Random::new(0x1234_5678_9ABC_DEF1);
-        for _ in 0..100_000 {
-            let [x, y, z] =
-                [0; 3].map(|_| Float::new(i64::from(coordinate(&mut random)) << 20 | 0x7_3C51, -9));
-            let terms = Terms {
-                reaches: [x, y, z],
-                translation: Float::new(i64::from(coordinate(&mut random)), 10),
-            };
-            let p = [0; 3].map(|_| i32::from(coordinate(&mut random)));
-            let whole = Row::<1>::new(&terms, 0).apply(p);
-            let parts = Row::<2>::new(&terms, 0).apply(p);
-            assert_eq!(whole, parts, "{terms:?} {p:?}");
-        }
     }
 
     #[test]
@@ -341,8 +392,8 @@ mod tests {
         let hides = |x: &str, y: &str, z: &str| {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
-            let transform = Transform::new(&camera, &pose, &tables(&positions));
-            transform.is_outside_view(&BoundingBox::of(&positions), [321, 240])
+            let transform = Transform::new::<S4>(&camera, &pose, &mesh(&positions));
+            transform.is_outside_view::<i32>(&BoundingBox::of(&positions), [321, 240])
         };
         assert!(!hides("0", "0", "-5"));
         for (x, y, z) in [
@@ -355,76 +406,5 @@ mod tests {
         ] {
             assert!(hides(x, y, z), "({x}, {y}, {z})");
         }
-    }
-
-    /// 2^31 units of offset along each axis, and 2^15 more: as far away as an object can be.
-    #[test]
-    fn the_farthest_object_is_where_it_should_be() {
-        let camera = |eye, lens| Camera::at(eye, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
-        for offset in [i32::MAX, i32::MIN] {
-            let mut far_off = tables(&[]);
-            far_off.offset = Vec3::from_bits([offset; 3]);
-            let pose = Pose::IDENTITY.scaled(U16F16::MAX).at(far_off.offset);
-            let eye = Vec3::from_bits([!offset; 3]);
-            let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
-            let transform = Transform::new(&camera(eye, lens), &pose, &far_off);
-            assert_eq!(transform.check(), Ok(()));
-            let ClipVertex { x, y, z, .. } = transform.object_to_clip([0; 3], ());
-            // Along (1, 1, 1): down is -y, away -z, and 120 / tan(30 degrees) = 207.8 pixels of
-            // 1,024 are a unit.
-            let away = f64::from(z);
-            assert!(away.abs() > f64::from(1 << 27) && (away < 0.0) == (offset > 0), "{z}");
-            for (c, sign) in [(x, -1.0), (y, 1.0)] {
-                let want = sign * away * 120.0 * 3f64.sqrt() / 1024.0;
-                assert!((f64::from(c) / want - 1.0).abs() < 1e-6, "{c} {want}");
-            }
-        }
-    }
-
-    /// As `PoseError` promises, for objects that are modelled far from their origin and moved back
-    /// too.
-    #[test]
-    fn places_are_known_to_27_bits() {
-        let mut random = Random::new(0x1234_5678_9ABC_DEF1);
-        let bits = |v: [i32; 3], unit: i32| v.map(|c| f64::from(c) * 2f64.powi(unit));
-        let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|i| a[i] * b[i]).sum::<f64>();
-        for _ in 0..20_000 {
-            let Case { mut pose, eye, rotation } = Case::random(&mut random);
-            let mut tables = tables(&[]);
-            tables.offset =
-                Vec3::from_bits([0; 3].map(|_| i32::from(coordinate(&mut random)) << 8));
-            let offset = bits(tables.offset.to_bits(), -16).map(|c| c * 1.75);
-            let turned = pose.rotation.rows().map(|row| dot(row.map(|c| c.to_num()), offset));
-            if coordinate(&mut random) > 0 {
-                pose.translation = Vec3::from_bits(turned.map(|c| -(c * 65536.0) as i32));
-            }
-            let lens = Perspective::new(Turn::degrees(60), NEAR, FAR).unwrap();
-            let camera = Camera::at(eye, rotation, lens, VIEWPORT).unwrap();
-            let [at, eye] = [pose.translation, camera.eye()].map(|v| bits(v.to_bits(), -16));
-            let way: [f64; 3] = core::array::from_fn(|i| at[i] - eye[i]);
-            let largest = dot(way, way).max(dot(offset, offset)).sqrt();
-            for axis in camera.axes() {
-                let place =
-                    Terms::new(axis, Float::new(1, 0), &camera.eye(), &pose, &tables).translation;
-                let got = f64::from(place.mantissa) * 2f64.powi(place.exponent);
-                let want = dot(bits(*axis, -30), core::array::from_fn(|i| way[i] + turned[i]));
-                assert!((got - want).abs() <= largest * 2f64.powi(-27), "{got} {want} {largest}");
-            }
-        }
-    }
-
-    #[test]
-    fn an_object_too_large_for_a_parallel_projection_is_an_error() {
-        let lens = Orthographic::new(U16F16::DELTA, NEAR, FAR).unwrap();
-        let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
-        let check = |exponent: i32| {
-            let mut large = tables(&[]);
-            large.scale = Scale::new(1, exponent);
-            Transform::new(&camera, &Pose::IDENTITY, &large).check()
-        };
-        // 240 pixels show 2^-16 units, so that the guard band is some 2^-14 units wide.
-        assert_eq!(check(-5), Ok(()));
-        assert_eq!(check(2), Err(PoseError));
-        assert_eq!(check(900), Err(PoseError));
     }
 }

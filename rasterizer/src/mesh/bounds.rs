@@ -36,6 +36,18 @@ impl BoundingBox {
         Self { min, max }
     }
 
+    /// By how many bits all coordinates in the box can be shifted up and still fit 16.
+    pub(super) const fn spare_bits(&self) -> u32 {
+        let (mut bits, mut axis) = (0, 0);
+        while axis < 3 {
+            // A negative number -n fits where n - 1 does.
+            bits |= self.min[axis] ^ (self.min[axis] >> 15);
+            bits |= self.max[axis] ^ (self.max[axis] >> 15);
+            axis += 1;
+        }
+        bits.leading_zeros() - 1
+    }
+
     /// Corner `index` of the eight: bits 0, 1 and 2 are its sides in x, y and z.
     #[must_use]
     pub fn corner(&self, index: usize) -> [i16; 3] {

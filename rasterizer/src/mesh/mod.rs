@@ -104,6 +104,8 @@ impl Material {
 pub struct Mesh<'a> {
     tables: Tables<'a>,
     bounds: BoundingBox,
+    /// By how many bits positions can be shifted up and still fit 16.
+    spare_bits: u32,
 }
 
 impl<'a> Mesh<'a> {
@@ -116,7 +118,8 @@ impl<'a> Mesh<'a> {
         if let Err(error) = check::tables(&tables) {
             return Err(error);
         }
-        Ok(Self { tables, bounds: BoundingBox::of(tables.positions.as_slice()) })
+        let bounds = BoundingBox::of(tables.positions.as_slice());
+        Ok(Self { tables, bounds, spare_bits: bounds.spare_bits() })
     }
 
     /// [`Mesh::new`] for a `static` or a `const`, where a fault stops the compiler.
@@ -143,6 +146,11 @@ impl<'a> Mesh<'a> {
     #[must_use]
     pub const fn bounds(&self) -> &BoundingBox {
         &self.bounds
+    }
+
+    /// By how many bits positions can be shifted up and still fit 16.
+    pub(crate) const fn spare_bits(&self) -> u32 {
+        self.spare_bits
     }
 
     /// The number of vertices.

@@ -7,7 +7,7 @@
 
 use fixed::types::U16F16;
 
-use super::{Scale, reciprocal::Reciprocal};
+use super::{divide, reciprocal::Reciprocal};
 
 /// `mantissa * 2^exponent`, the mantissa's magnitude from 2<sup>30</sup> to 2<sup>31</sup> - 1, or
 /// [`ZERO`](Self::ZERO).
@@ -45,10 +45,6 @@ impl Float {
         Self { mantissa: if value < 0 { -mantissa } else { mantissa }, exponent }
     }
 
-    pub(crate) const fn from_scale(scale: Scale) -> Self {
-        Self::new(scale.mantissa() as i64, scale.exponent())
-    }
-
     pub(crate) const fn from_unsigned(value: U16F16) -> Self {
         Self::new(value.to_bits() as i64, -16)
     }
@@ -75,6 +71,15 @@ impl Float {
             reciprocal.refined_mantissa(value) as i64,
             reciprocal.leading_zeros as i32 - 62 - self.exponent,
         )
+    }
+
+    /// The quotient with a positive number, within 2<sup>-14</sup>.
+    // codegen: by a division of 32 bits, which triangles need too.
+    pub(crate) const fn over(self, divisor: Self) -> Self {
+        // A mantissa over the upper half of another: from 2^15 to 2^17.
+        let quotient = divide(self.mantissa.unsigned_abs(), divisor.mantissa.unsigned_abs() >> 16);
+        let quotient = if self.mantissa < 0 { -(quotient as i64) } else { quotient as i64 };
+        Self::new(quotient, self.exponent - divisor.exponent - 16)
     }
 
     /// The least n for which the number's magnitude is below 2<sup>n</sup>; very small for 0.

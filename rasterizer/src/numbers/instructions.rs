@@ -8,14 +8,22 @@ use super::software;
 
 /// Whether the core has none of these instructions. Among ARM targets these are the ones without
 /// atomic read-modify-write instructions (`ARMv6-M`, `ARMv4T`), which a stable compiler can test
-/// for.
-pub(crate) const IS_NARROW: bool = cfg!(all(target_arch = "arm", not(target_has_atomic = "32")));
+/// for. With `--cfg rasterizer_narrow` the host computes like these, for tests.
+pub(crate) const IS_NARROW: bool =
+    cfg!(any(all(target_arch = "arm", not(target_has_atomic = "32")), rasterizer_narrow));
 
 /// Whether a word may be stored at any address: `ARMv7-M` and `ARMv8-M` with the main extension.
 /// The baseline of `ARMv8-M` counts as one of them, because it has atomic instructions too; the
 /// compiler stores two halves there.
 pub(crate) const HAS_UNALIGNED_WORDS: bool =
     cfg!(all(target_arch = "arm", target_has_atomic = "32"));
+
+/// Whether counting leading zeros takes one instruction or a few.
+const HAS_LEADING_ZEROS: bool = !(IS_NARROW
+    || cfg!(all(
+        any(target_arch = "riscv32", target_arch = "riscv64"),
+        not(target_feature = "zbb")
+    )));
 
 /// ⌊a b / 2<sup>32</sup>⌋.
 #[inline(always)]
@@ -44,6 +52,38 @@ pub(crate) const fn mul_q30(a: i32, b: i32) -> i32 {
     ((a as i64 * b as i64 + (1 << 29)) >> 30) as i32
 }
 
+/// The product of a wide number with a factor in Q30, rounded down. It is not inlined: only
+/// matrices use it, once per frame.
+#[inline(never)]
+pub(crate) const fn mul_wide_q30(a: i64, factor: i32) -> i64 {
+    let (upper, lower) = (a >> 30, a & ((1 << 30) - 1));
+    upper * factor as i64 + ((lower * factor as i64) >> 30)
+}
+
+/// The product of a wide number with a factor in Q60 of magnitude up to 1, within two steps.
+pub(crate) const fn mul_q60(a: i64, factor: i64) -> i64 {
+    let lower = (factor & ((1 << 30) - 1)) as i32;
+    mul_wide_q30(a, (factor >> 30) as i32) + (mul_wide_q30(a, lower) >> 30)
+}
+
+/// `value * 2^shift`, rounded. It must fit. It is not inlined: only matrices use it, once per
+/// frame.
+// codegen: loops, because the routines that shift 64 bits are more code.
+#[inline(never)]
+pub(crate) const fn shifted(value: i64, shift: i32) -> i64 {
+    let (mut value, mut shift) = (value, if shift < -64 { -64 } else { shift });
+    while shift > 0 {
+        value <<= 1;
+        shift -= 1;
+    }
+    while shift < 0 {
+        // The last step rounds.
+        shift += 1;
+        value = if shift < 0 { value >> 1 } else { (value >> 1) + (value & 1) };
+    }
+    value
+}
+
 /// The leading zeros of a number.
 #[inline(always)]
 pub(crate) const fn leading_zeros(value: u32) -> u32 {
@@ -58,6 +98,20 @@ pub(crate) const fn normalised(value: u32) -> (u32, u32) {
     } else {
         let zeros = value.leading_zeros();
         (value << zeros, zeros)
+    }
+}
+
+/// A positive number shifted up to its most significant bit, and by how many bits, for numbers that
+/// mostly have few leading zeros. 0 stays 0.
+///
+/// Where there is no instruction for it, each leading zero takes 4 instructions.
+#[inline(always)]
+pub(crate) const fn normalised_from_few(value: u32) -> (u32, u32) {
+    if HAS_LEADING_ZEROS {
+        let zeros = value.leading_zeros();
+        (value.unbounded_shl(zeros), zeros)
+    } else {
+        software::normalised_by_bits(value)
     }
 }
 

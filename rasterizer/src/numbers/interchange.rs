@@ -67,10 +67,7 @@ impl Rotation {
                 (1 << 30) - twice(x, x) - twice(y, y),
             ],
         ];
-        Some(
-            Self::from_rows(rows.map(|row| row.map(|c| I2F30::from_bits(c as i32))))
-                .orthonormalized(),
-        )
+        Some(Self::from_row_bits(rows.map(|row| row.map(|c| c as i32))).orthonormalized())
     }
 }
 

@@ -12,6 +12,7 @@
 //! Rotations are orthonormal within 2<sup>-26</sup>.
 
 pub(crate) mod codegen;
+mod coordinate;
 mod divide;
 mod float;
 mod instructions;
@@ -25,11 +26,13 @@ mod subpixel;
 mod turn;
 mod vector;
 
+pub use coordinate::Coordinate;
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use instructions::{
     HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high,
-    mul_high_unsigned, mul_q30, normalised, saturate,
+    mul_high_unsigned, mul_q30, mul_q60, mul_wide_q30, normalised, normalised_from_few, saturate,
+    shifted,
 };
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;
@@ -38,4 +41,5 @@ pub(crate) use rotation::cross;
 pub use scale::Scale;
 pub use subpixel::{S4, S8, Subpixel};
 pub use turn::Turn;
+pub(crate) use turn::cotangent_of_half;
 pub use vector::{Scalar, Vec3};

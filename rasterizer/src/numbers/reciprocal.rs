@@ -43,6 +43,15 @@ impl Reciprocal {
         Self { mantissa: mantissa(normalised), leading_zeros }
     }
 
+    /// The reciprocal of a number of an upper word, from 1 to 2<sup>31</sup> - 1, and a lower one.
+    /// Leading zeros are the upper word's.
+    #[inline(always)]
+    pub(crate) const fn of_words(upper: u32, lower: u32) -> Self {
+        let (normalised, leading_zeros) = normalised(upper);
+        let rest = lower >> (32 - leading_zeros);
+        Self { mantissa: mantissa(normalised | rest), leading_zeros }
+    }
+
     /// The mantissa after one more Newton step in 64 bits: within 2<sup>-30</sup>, for what is
     /// computed once per frame.
     pub(crate) const fn refined_mantissa(self, value: u32) -> i32 {

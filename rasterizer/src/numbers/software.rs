@@ -80,6 +80,18 @@ pub(super) const fn normalised_by_nibbles(value: u32) -> (u32, u32) {
     (rest << few, zeros + few)
 }
 
+/// A positive number shifted up to its most significant bit, and by how many bits: bit by bit.
+#[inline(always)]
+pub(super) const fn normalised_by_bits(value: u32) -> (u32, u32) {
+    let (mut rest, mut zeros) = (value, 0);
+    // Positive as a signed number: neither the most significant bit nor 0.
+    while rest.cast_signed() > 0 {
+        rest <<= 1;
+        zeros += 1;
+    }
+    (rest, zeros)
+}
+
 /// The leading zeros of a number.
 #[inline(always)]
 pub(super) const fn leading_zeros_by_table(value: u32) -> u32 {
@@ -159,7 +171,9 @@ mod tests {
                 let zeros = value.leading_zeros();
                 assert_eq!(leading_zeros_by_table(value), zeros, "{value:#x}");
                 if value > 0 {
-                    assert_eq!(normalised_by_nibbles(value), (value << zeros, zeros), "{value:#x}");
+                    let normalised = (value << zeros, zeros);
+                    assert_eq!(normalised_by_nibbles(value), normalised, "{value:#x}");
+                    assert_eq!(normalised_by_bits(value), normalised, "{value:#x}");
                 }
             }
         }

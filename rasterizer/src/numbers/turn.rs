@@ -4,7 +4,7 @@ use core::ops::{Add, Neg, Sub};
 
 use fixed::types::I2F30;
 
-use super::mul_q30;
+use super::{Float, mul_q30};
 
 /// An angle in turns: Q0.32, so that it wraps round. 2<sup>32</sup> steps make a whole turn.
 ///
@@ -72,6 +72,19 @@ impl Turn {
     }
 }
 
+/// The cotangent of half an angle over 0 and under half a turn, within 2<sup>-27</sup> of its
+/// value, which the sine and the cosine of a small angle, rounded to Q30, do not have.
+pub(crate) const fn cotangent_of_half(angle: Turn) -> Float {
+    // In quarter turns, in Q31: both legs are as exact relative to their own size.
+    let (opposite, adjacent) = (angle.0, (1 << 31) - angle.0);
+    leg(adjacent).times(leg(opposite).reciprocal())
+}
+
+/// The sine of x quarter turns in Q31.
+const fn leg(x: u32) -> Float {
+    Float::new(x as i64, -31).times(Float::new(sine_over((x >> 1) as i32) as i64, -30))
+}
+
 impl Add for Turn {
     type Output = Self;
 
@@ -111,14 +124,7 @@ const fn sine(turns: u32) -> i32 {
     } else {
         half_turns
     };
-    let square = mul_q30(x, x);
-    let mut sum = SINE[5];
-    let mut term = 5;
-    while term > 0 {
-        term -= 1;
-        sum = mul_q30(sum, square) + SINE[term];
-    }
-    let sine = mul_q30(sum, x);
+    let sine = mul_q30(sine_over(x), x);
     if sine > 1 << 30 {
         1 << 30
     } else if sine < -(1 << 30) {
@@ -128,9 +134,35 @@ const fn sine(turns: u32) -> i32 {
     }
 }
 
+/// sin(x pi/2) / x for x from -1 to 1, in Q30.
+const fn sine_over(x: i32) -> i32 {
+    let square = mul_q30(x, x);
+    let mut sum = SINE[5];
+    let mut term = 5;
+    while term > 0 {
+        term -= 1;
+        sum = mul_q30(sum, square) + SINE[term];
+    }
+    sum
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn cotangents_are_as_exact_for_the_smallest_angles() {
+        let near_ends = (0..31).flat_map(|bit| [1u32 << bit, (1 << 31) - (1 << bit)]);
+        for bits in near_ends.chain((1..1 << 31).step_by(104_729)) {
+            let half = f64::from(bits) / 2f64.powi(33) * core::f64::consts::TAU;
+            // Near a quarter turn from the other side, where the tangent is exact in f64.
+            let other = f64::from((1u32 << 31) - bits) / 2f64.powi(33) * core::f64::consts::TAU;
+            let want = if bits < 1 << 30 { 1.0 / half.tan() } else { other.tan() };
+            let got = cotangent_of_half(Turn(bits));
+            let got = f64::from(got.mantissa) * 2f64.powi(got.exponent);
+            assert!((got / want - 1.0).abs() < 2f64.powi(-27), "{bits}: {got} {want}");
+        }
+    }
 
     /// Steps of 4,099 visit a million angles and every remainder of folding and rounding.
     #[test]

@@ -49,8 +49,8 @@ pub struct Bands<M, C, B> {
 }
 
 impl<'d, M: AsMut<[C]>, C: Copy, D: StoredDepth> Bands<M, C, &'d mut [D]> {
-    /// Bands of `area` with a depth buffer of `u16` or `u32`: each has as many rows as both buffers
-    /// hold.
+    /// Bands of `area` with a depth buffer, of `u16` for example: each has as many rows as both
+    /// buffers hold.
     ///
     /// # Errors
     ///

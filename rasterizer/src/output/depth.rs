@@ -1,23 +1,25 @@
 //! The depth of a frame's pixels.
 
 use crate::{
-    attribute::{DepthFormat, NoDepth},
+    attribute::{DepthFormat, FloatDepth, NoDepth},
     numbers::codegen,
 };
 
-/// The depth of a frame's pixels: `&mut [u16]`, `&mut [u32]`, or [`NoDepth`].
+/// The depth of a frame's pixels: `&mut [u16]`, `&mut [FloatDepth]`, `&mut [u32]`, or [`NoDepth`].
 pub trait DepthBuffer: Cells {}
 
-/// A format of depth that a frame can have: `u16`, `u32`, or [`NoDepth`].
+/// A format of depth that a frame can have: `u16`, [`FloatDepth`], `u32`, or [`NoDepth`].
 pub trait FrameDepth: DepthFormat + 'static {
     /// What keeps a depth for each pixel.
     type Buffer<'b>: DepthBuffer<Format = Self>;
 }
 
-/// A format of depth that a buffer can keep: `u16` or `u32`. The depth of 0 has no bit set.
+/// A format of depth that a buffer can keep: `u16`, [`FloatDepth`] or `u32`. The depth of 0 has no
+/// bit set.
 pub trait StoredDepth: bytemuck::Pod + for<'b> FrameDepth<Buffer<'b> = &'b mut [Self]> {}
 
 impl StoredDepth for u16 {}
+impl StoredDepth for FloatDepth {}
 impl StoredDepth for u32 {}
 
 impl<D: StoredDepth> DepthBuffer for &mut [D] {}
@@ -60,6 +62,10 @@ pub(super) use private::Cells;
 pub(super) type Lent<'l, B> = <<B as Cells>::Format as FrameDepth>::Buffer<'l>;
 
 impl FrameDepth for u16 {
+    type Buffer<'b> = &'b mut [Self];
+}
+
+impl FrameDepth for FloatDepth {
     type Buffer<'b> = &'b mut [Self];
 }
 
@@ -125,7 +131,10 @@ fn clear_words(words: &mut [u32]) {
     let (runs, rest) = words.as_chunks_mut::<64>();
     for run in runs {
         codegen::keep_rolled();
-        run.iter_mut().for_each(|word| *word = zero);
+        run.iter_mut().for_each(|word| {
+            *word = zero;
+            codegen::keep_apart();
+        });
     }
     // Of unknown length, or the compiler makes a case of each.
     for word in codegen::unknown(rest) {

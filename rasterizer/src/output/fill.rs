@@ -4,7 +4,7 @@ use bytemuck::Pod;
 
 use crate::numbers::{
     HAS_UNALIGNED_WORDS, IS_NARROW,
-    codegen::{self, keep_rolled},
+    codegen::{self, keep_apart, keep_rolled},
 };
 
 /// A colour, ready to be stored many times.
@@ -125,19 +125,27 @@ fn fill_words(words: &mut [u32], value: u32) {
     // As many as the shortest instructions of ARMv6-M reach from one address.
     while let Some(block) = rest.split_off_mut(..32) {
         keep_rolled();
-        block.fill(value);
+        fill_each(block, value);
     }
     if let Some(block) = rest.split_off_mut(..16) {
-        block.fill(value);
+        fill_each(block, value);
     }
     if let Some(block) = rest.first_chunk_mut::<8>() {
-        *block = [value; 8];
+        fill_each(block, value);
     }
     // A block that may overlap, rather than the rest word by word.
     if let Some(last) = words.last_chunk_mut::<8>() {
         // Addressed from its own start where a core does not reach backwards from the end.
         let last = if IS_NARROW { codegen::rebased(last) } else { last };
-        *last = [value; 8];
+        fill_each(last, value);
+    }
+}
+
+#[inline(always)]
+fn fill_each(words: &mut [u32], value: u32) {
+    for word in words {
+        *word = value;
+        keep_apart();
     }
 }
 

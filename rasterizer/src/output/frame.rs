@@ -102,7 +102,7 @@ impl core::fmt::Display for FrameError {
 impl core::error::Error for FrameError {}
 
 impl<'a, C: Copy, D: StoredDepth> Frame<'a, C, &'a mut [D]> {
-    /// A frame with a depth buffer of `u16` or `u32` for the rectangle `area` of the display.
+    /// A frame with a depth buffer, of `u16` for example, for the rectangle `area` of the display.
     ///
     /// # Errors
     ///

@@ -25,7 +25,7 @@ pub enum ProjectError {
     NoFaceNormals,
     /// The shader reads texture coordinates, and the mesh has none: convert the model with them.
     NoTextureCoordinates,
-    /// The object is too large or too far away for the camera's numbers.
+    /// The object is too large for how near it comes.
     Pose(PoseError),
 }
 

@@ -136,7 +136,8 @@ impl<'a, Sh: Shader, M: Mode> Object<'a, Sh, M> {
     /// # Errors
     ///
     /// Returns an error if the storage is too small, the mesh lacks a table that the shader reads,
-    /// or the object is too large or too far away for the camera's numbers.
+    /// or the object is too large for how near it comes
+    /// ([`PoseError`](crate::geometry::PoseError)).
     ///
     /// [`S4`]: crate::numbers::S4
     /// [`S8`]: crate::numbers::S8

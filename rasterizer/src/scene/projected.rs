@@ -31,7 +31,7 @@ pub struct Projected<'a, V, P: Projection, Sh: Shader, M = Modes, O = MeshOrder>
     pub(super) order: O,
 }
 
-impl<'a, V, P: Projection, Sh: Shader, M: Mode> Projected<'a, V, P, Sh, M> {
+impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Projected<'a, V, P, Sh, M> {
     /// In the mesh's order. Valid once `seen.check` has succeeded.
     #[inline(always)]
     pub(super) fn new(object: &Object<'a, Sh, M>, camera: &Camera<P>, vertices: V) -> Self {

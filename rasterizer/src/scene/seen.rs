@@ -20,6 +20,8 @@ use crate::{
 
 /// The corners of a triangle on the screen.
 pub(super) type Corners<'s, S, D, Sh> = [&'s ScreenVertex<S, D, OnScreen<Sh>>; 3];
+/// A coordinate in clip space of vertices from `V`.
+type CoordinateOf<V, Sh> = <<V as Vertices<OnScreen<Sh>>>::Subpixel as Subpixel>::Coordinate;
 /// The corners of a clipped triangle.
 type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, OnScreen<Sh>>, MAX_CORNERS>;
 
@@ -37,7 +39,7 @@ pub(super) struct Seen<'a, V, P: Projection, Sh: Shader, M> {
     pub(super) mode: M,
 }
 
-impl<'a, V, P: Projection, Sh: Shader, M: Mode> Seen<'a, V, P, Sh, M> {
+impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Seen<'a, V, P, Sh, M> {
     /// An object whose mesh has the tables that its shader reads. Valid once
     /// [`check`](Self::check) has succeeded.
     #[inline(always)]
@@ -46,14 +48,16 @@ impl<'a, V, P: Projection, Sh: Shader, M: Mode> Seen<'a, V, P, Sh, M> {
         let mut seen = Self {
             tables,
             shader: object.shader.for_object(&object.pose),
-            transform: Transform::new(camera, &object.pose, tables),
+            transform: Transform::new::<V::Subpixel>(camera, &object.pose, object.mesh),
             vertices,
             is_outside_view: false,
             viewport: Window::within_range(&camera.viewport()),
             mode: object.mode,
         };
-        seen.is_outside_view =
-            M::Clipping::CUTS && seen.transform.is_outside_view(object.mesh.bounds(), seen.size());
+        seen.is_outside_view = M::Clipping::CUTS
+            && seen
+                .transform
+                .is_outside_view::<CoordinateOf<V, Sh>>(object.mesh.bounds(), seen.size());
         seen
     }
 }
@@ -61,7 +65,7 @@ impl<'a, V, P: Projection, Sh: Shader, M: Mode> Seen<'a, V, P, Sh, M> {
 impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     /// Checks that the object fits the camera's number range. Call this first: no other method is
     /// valid until it succeeds.
-    pub(super) fn check(&self) -> Result<(), PoseError> {
+    pub(super) const fn check(&self) -> Result<(), PoseError> {
         self.transform.check()
     }
 
@@ -199,7 +203,7 @@ where
         let indices = self.tables.triangles.get(index).unwrap_or_default();
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
             let position = self.tables.positions.get(index).unwrap_or_default();
-            bits & self.transform.beyond(position, self.size())
+            bits & self.transform.beyond::<CoordinateOf<V, Sh>>(position, self.size())
         });
         beyond_all != 0
     }

@@ -6,7 +6,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
-    attribute::NoDepth,
+    attribute::{FloatDepth, NoDepth},
     camera::{Camera, Distance, Perspective},
     geometry::{Pose, ScreenVertex},
     mesh::Mesh,
@@ -85,6 +85,8 @@ fn run<const SET_UP: bool, const PIXELS: usize>(memory: &mut Memory<PIXELS>) {
     bench.scene::<u16, _>("cube-gouraud", &models::CUBE, gouraud, &close);
     bench.scene::<u16, _>("sphere-flat", &models::SPHERE, flat, &far);
     bench.scene::<NoDepth, _>("cube-flat", &models::CUBE, flat, &close);
+    bench.scene::<FloatDepth, _>("cube-gouraud-float16", &models::CUBE, gouraud, &close);
+    bench.scene::<FloatDepth, _>("sphere-flat-float16", &models::SPHERE, flat, &far);
 }
 
 /// One directional light.

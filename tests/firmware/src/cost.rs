@@ -7,7 +7,7 @@ use core::{
 
 use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
 use rasterizer::{
-    attribute::NoDepth,
+    attribute::{FloatDepth, NoDepth},
     camera::{Camera, Perspective},
     geometry::ScreenVertex,
     numbers::Subpixel,
@@ -49,7 +49,7 @@ macro_rules! declare {
 }
 cost_fields!(declare);
 
-/// Whether a scene tests depth, by the format of its depth: `u16`, or [`NoDepth`].
+/// Whether a scene tests depth, by the format of its depth: 16 bits, or [`NoDepth`].
 pub trait Depth: FrameDepth {
     /// A frame in memory of just the area's size.
     fn frame<'a>(
@@ -66,6 +66,16 @@ impl Depth for u16 {
         area: Rectangle,
     ) -> Frame<'a, Rgb565Be, &'a mut [Self]> {
         Frame::new(color, depth, area).unwrap_or_else(fail)
+    }
+}
+
+impl Depth for FloatDepth {
+    fn frame<'a>(
+        color: &'a mut [Rgb565Be],
+        depth: &'a mut [u16],
+        area: Rectangle,
+    ) -> Frame<'a, Rgb565Be, &'a mut [Self]> {
+        Frame::new(color, bytemuck::must_cast_slice_mut(depth), area).unwrap_or_else(fail)
     }
 }
 

@@ -10,10 +10,11 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
+    attribute::FloatDepth,
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{Pose, Projection, ScreenVertex},
     numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
-    output::{Bands, Frame, Rgb565Be},
+    output::{Bands, Frame, Rgb565Be, StoredDepth},
     scene::{Object, bin_words},
     shade::{Flat, Gouraud, Light, OnScreen, Shader},
 };
@@ -67,6 +68,26 @@ pub fn run(memory: &mut Memory<PIXELS>) {
         report(("rocket", "parallel", frame), &rocket.posed(pose), &camera, memory);
     }
     flat(memory, light);
+    floating_depth(&knot, memory);
+}
+
+/// Depth in floating point, from near to far, with the hash of the depths too.
+fn floating_depth<Sh: Shader<Color = Rgb565Be, Varyings = [u16; 1]>>(
+    object: &Object<'_, Sh>,
+    memory: &mut Memory<PIXELS>,
+) {
+    let pose = Pose::rotated(Rotation::about_x(Turn::degrees(25)));
+    for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05"), ("far", "40")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let object = object.clone().posed(pose);
+        let [coarse, coarse_depth] = draw::<_, S4, FloatDepth, _>(&object, &camera, memory);
+        let [fine, fine_depth] = draw::<_, S8, FloatDepth, _>(&object, &camera, memory);
+        console::line(format_args!(
+            "torus_knot {view} float16 S4 {coarse:08x} {coarse_depth:08x} S8 {fine:08x} \
+             {fine_depth:08x}"
+        ));
+    }
 }
 
 /// A convex body, straight into memory without depth, lit by the normals of its triangles.
@@ -80,7 +101,7 @@ fn flat(memory: &mut Memory<PIXELS>, light: Light) {
     let mut frame = Frame::without_depth(&mut memory.color, AREA).unwrap_or_else(fail);
     frame.clear(Rgb565Be::BLACK);
     cube.draw(&camera, &mut vertices, &mut frame).unwrap_or_else(fail);
-    console::line(format_args!("cube flat {:08x}", hash(0, frame.pixels())));
+    console::line(format_args!("cube flat {:08x}", hash_of(0, frame.pixels())));
 }
 
 fn report<P: Projection, Sh: Shader<Color = Rgb565Be, Varyings = [u16; 1]>>(
@@ -90,32 +111,33 @@ fn report<P: Projection, Sh: Shader<Color = Rgb565Be, Varyings = [u16; 1]>>(
     memory: &mut Memory<PIXELS>,
 ) {
     let (model, view, frame) = name;
-    let coarse = draw::<_, S4, _>(object, camera, memory);
-    let fine = draw::<_, S8, _>(object, camera, memory);
+    let [coarse, _] = draw::<_, S4, u16, _>(object, camera, memory);
+    let [fine, _] = draw::<_, S8, u16, _>(object, camera, memory);
     console::line(format_args!("{model} {view} {frame} S4 {coarse:08x} S8 {fine:08x}"));
 }
 
 /// Draws a frame as a whole, again in bands, and again without storage for vertices, and checks
-/// that they are the same.
-fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+/// that they are the same. Returns the hashes of its colours and of its depths.
+fn draw<P: Projection, S: Subpixel, D: StoredDepth, Sh: Shader<Color = Rgb565Be>>(
     object: &Object<'_, Sh>,
     camera: &Camera<P>,
     memory: &mut Memory<PIXELS>,
-) -> u32 {
+) -> [u32; 2] {
     let Memory { color, depth } = memory;
-    let mut vertices = [ScreenVertex::<S, u16, OnScreen<Sh>>::EMPTY; VERTICES];
+    let depth: &mut [D] = bytemuck::must_cast_slice_mut(depth);
+    let mut vertices = [ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; VERTICES];
     let seen = object.project(camera, &mut vertices).unwrap_or_else(fail);
     let mut frame = Frame::new(color, depth, AREA).unwrap_or_else(fail);
     frame.clear(BACKGROUND.into());
     let Ok(()) = seen.draw(&mut frame);
-    let whole = hash(0, frame.pixels());
+    let whole = hash_of(0, frame.pixels());
+    let depths = hash(0, bytemuck::must_cast_slice(depth).iter().copied());
 
     let pixels = (SIDE * ROWS) as usize;
     let mut bands =
         Bands::new(AREA, &mut color[..pixels], &mut depth[..pixels]).unwrap_or_else(fail);
     let mut bins = [0; bin_words(TRIANGLES, SIDE, ROWS)];
-    let background =
-        |band: &mut Frame<'_, Rgb565Be, &mut [u16]>| band.clear_color(BACKGROUND.into());
+    let background = |band: &mut Frame<'_, Rgb565Be, &mut [D]>| band.clear_color(BACKGROUND.into());
     let mut display = Hashing(0);
     let binned = seen.binned(ROWS, &mut bins).unwrap_or_else(fail);
     let Ok(()) = bands.show(&mut display, background, |band| binned.draw(band));
@@ -126,7 +148,7 @@ fn draw<P: Projection, S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
     let walked = walked.binned(ROWS, &mut bins).unwrap_or_else(fail);
     let Ok(()) = bands.show(&mut display, background, |band| walked.draw(band));
     assert_eq!(whole, display.0, "without storage for vertices the frame differs");
-    whole
+    [whole, depths]
 }
 
 /// A display that keeps the hash of its pixels.
@@ -154,17 +176,19 @@ impl DrawTarget for Hashing {
         _: &Rectangle,
         colors: I,
     ) -> Result<(), Infallible> {
-        self.0 = colors.into_iter().fold(self.0, |before, pixel| hash(before, &[pixel]));
+        self.0 = colors.into_iter().fold(self.0, |before, pixel| hash_of(before, &[pixel]));
         Ok(())
     }
 }
 
-/// FNV-1a over the pixels' 16-bit values, which are the same on any core, continued from the hash
-/// `before`.
-fn hash(before: u32, pixels: &[Rgb565Be]) -> u32 {
+/// The hash of the pixels' values.
+fn hash_of(before: u32, pixels: &[Rgb565Be]) -> u32 {
+    hash(before, pixels.iter().map(|&pixel| Rgb565::from(pixel).into_storage()))
+}
+
+/// FNV-1a over 16-bit values, which are the same on any core, continued from the hash `before`.
+fn hash(before: u32, values: impl Iterator<Item = u16>) -> u32 {
     let start = before ^ 0x811C_9DC5;
-    let end = pixels.iter().fold(start, |hash, &pixel| {
-        (hash ^ u32::from(Rgb565::from(pixel).into_storage())).wrapping_mul(0x0100_0193)
-    });
+    let end = values.fold(start, |hash, value| (hash ^ u32::from(value)).wrapping_mul(0x0100_0193));
     end ^ 0x811C_9DC5
 }

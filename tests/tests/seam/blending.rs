@@ -58,6 +58,7 @@ fn blended_pixels_are_those_of_the_definition() {
         }
     }
     in_frames::<u16>();
+    in_frames::<FloatDepth>();
     in_frames::<u32>();
     in_frames::<NoDepth>();
 }

@@ -72,6 +72,7 @@ fn discarded_pixels_keep_color_and_depth() {
         }
     }
     in_frames::<u16>();
+    in_frames::<FloatDepth>();
     in_frames::<u32>();
     in_frames::<NoDepth>();
 }

@@ -111,6 +111,8 @@ fn a_shader_reads_the_stored_depth() {
         }
     }
     shown::<u16>(|depth| depth << 16);
+    // The value by the definition, in Q0.32.
+    shown::<FloatDepth>(|bits| (2048 | bits & 2047) << 20 >> (31 - (bits >> 11)));
     shown::<u32>(|depth| depth);
     shown::<NoDepth>(|depth| depth);
 }

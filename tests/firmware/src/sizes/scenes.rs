@@ -8,7 +8,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
-    attribute::NoDepth,
+    attribute::{FloatDepth, NoDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{ClipAll, ClipNone, Clipping, CullNone, Projection, ScreenVertex},
     mesh::Mesh,
@@ -254,6 +254,20 @@ pub struct GouraudWide;
 
 impl Scene for GouraudWide {
     type Memory = Bands<S4, u32, [u16; 1], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        gouraud(&BALL, PERSPECTIVE, ClipAll, memory, display)
+    }
+}
+
+/// The same as [`GouraudS4`] with depth that resolves at every distance alike.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudFloat;
+
+impl Scene for GouraudFloat {
+    type Memory = Bands<S4, FloatDepth, [u16; 1], NARROW, { BALL.vertex_count() }>;
 
     const MEMORY: Self::Memory = Bands::EMPTY;
 

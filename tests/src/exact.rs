@@ -1,0 +1,163 @@
+//! Where vertices lie by exact arithmetic: in `f64`, whose 53 bits are enough for differences of
+//! world coordinates, which have 32.
+
+use rasterizer::{
+    camera::{Camera, Orthographic, Perspective},
+    geometry::Projection,
+    numbers::{Subpixel, Vec3},
+};
+
+use crate::{Scene, ends::Stage};
+
+/// In sub-pixels.
+const TOLERANCE: f64 = 0.5 + 0.125;
+const GUARD: f64 = 1024.0;
+
+/// A projection in f64.
+#[derive(Clone, Copy, Debug)]
+pub struct Lens {
+    /// Pixels per unit at w = 1.
+    pub magnification: f64,
+    /// Whether w is the distance, or 1.
+    pub is_perspective: bool,
+    /// The near distance.
+    pub near: f64,
+    /// The far distance.
+    pub far: f64,
+}
+
+impl Lens {
+    /// With this focal length in pixels.
+    #[must_use]
+    pub fn perspective(lens: &Perspective, magnification: f64) -> Self {
+        Self {
+            magnification,
+            is_perspective: true,
+            near: lens.near().to_num(),
+            far: lens.far().to_num(),
+        }
+    }
+
+    /// On a viewport this high.
+    #[must_use]
+    pub fn orthographic(lens: &Orthographic, height: f64) -> Self {
+        Self {
+            magnification: height / lens.height().to_num::<f64>(),
+            is_perspective: false,
+            near: lens.near().to_num(),
+            far: lens.far().to_num(),
+        }
+    }
+}
+
+type Vector = [f64; 3];
+
+/// A row of the matrix from quanta to clip space, and its translation.
+type Row = (Vector, f64);
+
+/// The matrix's rows: right, down and away, the first two in guard bands at w = 1.
+fn matrix(stage: &Stage, lens: &Lens) -> [Row; 3] {
+    let [turn, view] = [stage.pose.rotation, stage.rotation.inverse()]
+        .map(|rotation| rotation.rows().map(|row| row.map(|c| c.to_num::<f64>())));
+    let apply =
+        |m: &[Vector; 3], v: Vector| m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
+    let vector = |v: Vec3| v.to_bits().map(|c| f64::from(c) / 65_536.0);
+    let scale: f64 = stage.pose.scale.to_num();
+    let quantum =
+        f64::from(stage.surface.scale.mantissa()) * 2f64.powi(stage.surface.scale.exponent());
+    let to_view = |v: Vector| {
+        let [x, y, z] = apply(&view, v);
+        [x * lens.magnification / GUARD, -y * lens.magnification / GUARD, -z]
+    };
+    let column = |axis: usize| {
+        let mut unit = [0.0; 3];
+        unit[axis] = scale * quantum;
+        to_view(apply(&turn, unit))
+    };
+    let columns = [0, 1, 2].map(column);
+    let (translation, eye) = (vector(stage.pose.translation), vector(stage.eye));
+    let offset = apply(&turn, vector(stage.surface.offset).map(|c| c * scale));
+    let from_eye = [0, 1, 2].map(|i| offset[i] + translation[i] - eye[i]);
+    let origin = to_view(from_eye);
+    [0, 1, 2].map(|row| (columns.map(|column| column[row]), origin[row]))
+}
+
+/// What [`judge`] has found.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Judged {
+    /// How many vertices are on the screen.
+    pub placed: usize,
+    /// How far the worst of them is from its exact place along x or y, in sub-pixels.
+    pub worst: f64,
+}
+
+/// Checks where the vertices lie: at most 5/8 of a sub-pixel from their exact places.
+///
+/// # Panics
+///
+/// Panics if one is elsewhere, or is missing, or should be.
+pub fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Lens) -> Judged {
+    let mesh = stage.surface.mesh();
+    let scene = Scene { pose: stage.pose, ..Scene::new(&mesh, camera) };
+    let rows = matrix(stage, lens);
+    let (entries, origin) = rows[2];
+    let reach = entries.iter().fold(origin.abs(), |sum, c| sum + c.abs() * 32_768.0);
+    let viewport = camera.viewport();
+    let sides = [viewport.size.width, viewport.size.height].map(f64::from);
+    let corner = [viewport.top_left.x, viewport.top_left.y].map(f64::from);
+
+    let placed = scene.vertices::<S>();
+    let mut judged = Judged::default();
+    let positions = (0..).map_while(|index| mesh.tables().positions.get(index));
+    for (index, position) in positions.enumerate() {
+        let p = position.map(f64::from);
+        let [x, y, z] =
+            rows.map(|(row, origin)| row[0] * p[0] + row[1] * p[1] + row[2] * p[2] + origin);
+        let w = if lens.is_perspective { z } else { 1.0 };
+        let subpixel = 1.0 / f64::from(1 << S::BITS);
+        // Whether it lies on one side of all planes by more than an eighth of a sub-pixel, and
+        // 2^-20 of its distance, or in a parallel projection 2^-27 of the farthest.
+        let farthest = lens.far.max(reach);
+        let is_certain = |margin: f64| {
+            let across = margin * subpixel / 8.0 / GUARD;
+            let away = if lens.is_perspective {
+                margin * 2f64.powi(-20) * z.abs()
+            } else {
+                margin * 2f64.powi(-27) * farthest
+            };
+            z > lens.near + away && z < lens.far - away && x.abs().max(y.abs()) < w * (1.0 - across)
+        };
+        let Some(place) = placed.get(index) else {
+            // The whole mesh lies outside the picture, which reaches half a viewport to each side
+            // of the middle.
+            let is_seen =
+                x.abs() * GUARD < sides[0] / 2.0 * w && y.abs() * GUARD < sides[1] / 2.0 * w;
+            assert!(!(is_certain(1.0) && is_seen), "vertex {index} is seen: {stage:?}");
+            continue;
+        };
+        match place {
+            None => {
+                assert!(!is_certain(1.0), "vertex {index} is on the screen: {stage:?} {lens}");
+            }
+            Some([px, py]) => {
+                assert!(is_certain(-1.0), "vertex {index} is not on the screen: {stage:?} {lens}");
+                // The guard band's last sub-pixel is cut off.
+                judged.placed += 1;
+                for (axis, (got, c)) in [(px, x), (py, y)].into_iter().enumerate() {
+                    let exact =
+                        (c / w * GUARD).min(GUARD - subpixel) + corner[axis] + sides[axis] / 2.0;
+                    let error = (got - exact).abs() / subpixel;
+                    judged.worst = judged.worst.max(error);
+                    assert!(error <= TOLERANCE, "vertex {index}: {got} {exact} {stage:?} {lens}");
+                }
+            }
+        }
+    }
+    judged
+}
+
+impl std::fmt::Display for Lens {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} from {} to {}", self.magnification, self.near, self.far)
+    }
+}
