@@ -50,13 +50,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     link()
 }
 
-/// Sets the memory of the board in QEMU. Cortex-M programs get that of `memory.x`, an RP2040's,
+/// Sets the memory of the board in QEMU, or that of another board, which `FIRMWARE_MEMORY` names as
+/// in `_flash=0x08000000,_flash_size=1M`. Cortex-M programs get that of `memory.x`, an RP2040's,
 /// unless they need more or the board has it elsewhere.
 fn link() -> Result<(), Box<dyn Error>> {
     if env::var("CARGO_CFG_TARGET_OS")? != "none" {
         return Ok(());
     }
     let target = env::var("TARGET")?;
+    println!("cargo::rerun-if-env-changed=FIRMWARE_MEMORY");
+    let board = env::var("FIRMWARE_MEMORY").unwrap_or_default();
     let arg = |arg: &str| {
         println!("cargo::rustc-link-arg-bins={arg}\ncargo::rustc-link-arg-examples={arg}");
     };
@@ -66,13 +69,16 @@ fn link() -> Result<(), Box<dyn Error>> {
         arg(&format!("-T{}", boards.join("virt.x").display()));
     } else {
         println!("cargo::rerun-if-changed=../../memory.x");
-        if target.starts_with("thumbv8m") {
+        if target.starts_with("thumbv8m") && board.is_empty() {
             arg("--defsym=_flash=0x10000000");
             arg("--defsym=_ram=0x38000000");
         }
         for program in ["bench", "bench_set_up", "bench_frugal", "bench_frugal_set_up", "scaling"] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
         }
+    }
+    for definition in board.split(',').filter(|definition| !definition.is_empty()) {
+        arg(&format!("--defsym={definition}"));
     }
     arg("-Tlink.x");
     Ok(())

@@ -42,24 +42,42 @@ struct Mode {
     rows: u32,
 }
 
+impl Mode {
+    /// Pixels of a band, which is the frame if there is but one.
+    const fn pixels(self) -> usize {
+        (SIZE.width * self.rows) as usize
+    }
+}
+
 const MODES: [Mode; 2] =
     [Mode { name: "whole", rows: SIZE.height }, Mode { name: "bands of 16", rows: BAND_ROWS }];
 
 static MEMORY: Shared<PIXELS> = Memory::shared();
 
+/// Pixels of a band.
+const BAND_PIXELS: usize = (SIZE.width * BAND_ROWS) as usize;
+static BAND: Shared<BAND_PIXELS> = Memory::shared();
+
 /// The program: starts the counter, says how it was compiled, and measures.
 pub fn main<const SET_UP: bool>() {
     counter::start();
     console::build();
-    critical_section::with(|token| run::<SET_UP>(&mut MEMORY.borrow_ref_mut(token)));
+    critical_section::with(|token| run::<SET_UP, _>(&mut MEMORY.borrow_ref_mut(token)));
+}
+
+/// The program for boards: measures what fits in the memory of one band.
+pub fn board() {
+    counter::start();
+    console::build();
+    critical_section::with(|token| run::<false, _>(&mut BAND.borrow_ref_mut(token)));
 }
 
 /// Measures all scenes, or their set-up alone, and prints a line for each.
-fn run<const SET_UP: bool>(memory: &mut Memory<PIXELS>) {
+fn run<const SET_UP: bool, const PIXELS: usize>(memory: &mut Memory<PIXELS>) {
     let light = sun();
     let (gouraud, flat) = (Gouraud::new(light), Flat::new(light));
     let (close, far) = (view("400", "2.4"), view("160", "3"));
-    let mut bench = Bench::<SET_UP>(memory);
+    let mut bench = Bench::<SET_UP, PIXELS>(memory);
     #[cfg(models)]
     bench.scene::<u16, _>("spot-gouraud", &models::SPOT, gouraud, &close);
     #[cfg(models)]
@@ -100,17 +118,17 @@ pub fn frugal<const SET_UP: bool>() {
     counter::start();
     console::build();
     critical_section::with(|token| {
-        let mut bench = Bench::<SET_UP>(&mut MEMORY.borrow_ref_mut(token));
+        let mut bench = Bench::<SET_UP, PIXELS>(&mut MEMORY.borrow_ref_mut(token));
         #[cfg(models)]
         bench.frugal_bands("spot-gouraud", &models::SPOT, Gouraud::new(sun()), &view("400", "2.4"));
         bench.frugal_bands("sphere-flat", &models::SPHERE, Flat::new(sun()), &view("160", "3"));
     });
 }
 
-struct Bench<'a, const SET_UP: bool>(&'a mut Memory<PIXELS>);
+struct Bench<'a, const SET_UP: bool, const PIXELS: usize>(&'a mut Memory<PIXELS>);
 
-impl<const SET_UP: bool> Bench<'_, SET_UP> {
-    /// A scene with depth `D`, in all modes and both precisions.
+impl<const SET_UP: bool, const PIXELS: usize> Bench<'_, SET_UP, PIXELS> {
+    /// A scene with depth `D`, in the modes that memory is enough for, and in both precisions.
     fn scene<D: Depth, Sh: Shader<Color = Rgb565Be>>(
         &mut self,
         name: &str,
@@ -119,7 +137,7 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
         camera: &Camera,
     ) {
         let object = Object::new(mesh, shader);
-        for mode in MODES {
+        for mode in MODES.into_iter().filter(|mode| mode.pixels() <= PIXELS) {
             self.scene_in::<S4, D, _>([name, "S4"], mode, &object, camera);
             self.scene_in::<S8, D, _>([name, "S8"], mode, &object, camera);
         }
@@ -193,6 +211,7 @@ impl<const SET_UP: bool> Bench<'_, SET_UP> {
             let object = object.clone().posed(pose(frame));
             add(&mut cost, &object, &mut vertices, &mut bins, self.0);
         }
+        counter::report();
         console::line(format_args!(
             r#"{{"scene":"{scene}","precision":"{precision}","mode":"{mode}",{cost}}}"#
         ));

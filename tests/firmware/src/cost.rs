@@ -1,4 +1,4 @@
-//! What the parts of drawing a frame cost, in units of [the counter](crate::counter).
+//! What the parts of drawing a frame cost, in cycles of [the counter](crate::counter).
 
 use core::{
     convert::Infallible,
@@ -16,7 +16,11 @@ use rasterizer::{
     shade::{OnScreen, Shader},
 };
 
-use crate::{counter::Moment, memory::Memory, nothing::Nothing};
+use crate::{
+    counter::{self, Moment, Stage},
+    memory::Memory,
+    nothing::Nothing,
+};
 
 macro_rules! declare {
     ($($(#[$doc:meta])* $field:ident,)*) => {
@@ -96,7 +100,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         bins: Option<&mut [u32]>,
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(&mut self.vertices, || object.project(camera, vertices));
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
         self.add_seen(seen.unwrap_or_else(fail), camera, rows, bins, memory);
     }
 
@@ -114,8 +118,9 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         bins: Option<&mut [u32]>,
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen =
-            timed(&mut self.vertices, || object.project_on_demand::<_, S, D>(camera, S::default()));
+        let seen = timed(Stage::Vertices, &mut self.vertices, || {
+            object.project_on_demand::<_, S, D>(camera, S::default())
+        });
         self.add_seen(seen.unwrap_or_else(fail), camera, rows, bins, memory);
     }
 
@@ -135,7 +140,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         let areas = BandAreas::new(camera.viewport(), rows);
         match bins {
             Some(bins) => {
-                let seen = timed(&mut self.draw, || seen.binned(rows, bins));
+                let seen = timed(Stage::Draw, &mut self.draw, || seen.binned(rows, bins));
                 self.draw_bands(&seen.unwrap_or_else(fail), areas, memory);
             }
             None => self.draw_bands(&seen, areas, memory),
@@ -154,15 +159,15 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         for area in areas {
             if SET_UP {
                 let mut nothing = Nothing::new(&area);
-                let Ok(()) = timed(&mut self.draw, || seen.draw(&mut nothing));
+                let Ok(()) = timed(Stage::Draw, &mut self.draw, || seen.draw(&mut nothing));
                 continue;
             }
             let pixels = (area.size.width * area.size.height) as usize;
             let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
             color.fill(Rgb565Be::BLACK);
             let mut frame = V::Depth::frame(color, depth, area);
-            timed(&mut self.clear, || frame.clear_depth());
-            let Ok(()) = timed(&mut self.draw, || seen.draw(&mut frame));
+            timed(Stage::Clear, &mut self.clear, || frame.clear_depth());
+            let Ok(()) = timed(Stage::Draw, &mut self.draw, || seen.draw(&mut frame));
             self.pixels_drawn +=
                 frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
         }
@@ -193,11 +198,13 @@ fn around(a: Rectangle, b: Rectangle) -> Rectangle {
     Rectangle::new(first, Size::new(size.x as u32, size.y as u32))
 }
 
-/// Does some work and adds what it cost to a sum.
+/// Does the work of a stage and adds the cycles that it took to a sum.
 #[inline(always)]
-fn timed<T>(sum: &mut u64, work: impl FnOnce() -> T) -> T {
+fn timed<T>(stage: Stage, sum: &mut u64, work: impl FnOnce() -> T) -> T {
     let start = Moment::now();
+    counter::mark(stage);
     let result = work();
+    counter::mark(stage);
     *sum += u64::from(start.elapsed());
     result
 }

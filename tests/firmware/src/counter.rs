@@ -1,8 +1,47 @@
-//! Counts instructions in QEMU, where each takes a nanosecond with `-icount shift=0`.
+//! Measures the stages of a frame, on a board and in QEMU.
 //!
-//! A count is in units of the core's timer: the system timer of Cortex-M boards ticks at 25 MHz (20
-//! MHz on mps2-an505), every 40 (50) instructions; on RISC-V the register `mcycle` counts them one
-//! by one. On the host nothing is counted.
+//! On a board a timer counts cycles: the system timer of a Cortex-M, the register `mcycle` of a
+//! RISC-V core. QEMU knows no cycles, so its timers tell nothing there. Instead, a plugin counts
+//! instructions between [marks](mark): `tests/measure/plugin`. On the host nothing is counted.
+
+use core::{
+    hint::black_box,
+    sync::atomic::{AtomicU32, Ordering, compiler_fence},
+};
+
+/// A part of a frame that is measured on its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stage {
+    /// Setting depth to the far end.
+    Clear,
+    /// Transforming, lighting and projecting vertices.
+    Vertices,
+    /// Everything behind that.
+    Draw,
+}
+
+/// A word for each stage, and one for [`report`]. The plugin watches who writes to them; `measure`
+/// finds them in a program by their name.
+static MARKS: [AtomicU32; 4] = [const { AtomicU32::new(0) }; 4];
+
+/// Tells the plugin that a stage begins, and that it ends.
+#[inline(always)]
+pub fn mark(stage: Stage) {
+    set(stage as usize);
+}
+
+/// Tells the plugin that the stages measured since the last report belong to one line of output.
+pub fn report() {
+    set(MARKS.len() - 1);
+}
+
+#[inline(always)]
+fn set(mark: usize) {
+    // The compiler would drop stores that nothing reads, and might move others past them.
+    compiler_fence(Ordering::SeqCst);
+    black_box(&MARKS)[mark].store(0, Ordering::Relaxed);
+    compiler_fence(Ordering::SeqCst);
+}
 
 /// Starts the timer.
 #[cfg(all(target_os = "none", target_arch = "arm"))]
@@ -15,8 +54,19 @@ pub fn start() {
     }
 }
 
-/// Does nothing: the timer runs already.
-#[cfg(not(all(target_os = "none", target_arch = "arm")))]
+/// Checks that the timer runs, as it does on most cores from the start.
+///
+/// # Panics
+///
+/// Panics if it does not. Starting it takes `unsafe` code: see `tests/measure/BOARDS.md`.
+#[cfg(all(target_os = "none", target_arch = "riscv32"))]
+pub fn start() {
+    let start = Moment::now();
+    assert!(start.elapsed() > 0, "mcycle does not count: mcountinhibit stops it");
+}
+
+/// Does nothing: the host does not count.
+#[cfg(not(target_os = "none"))]
 pub const fn start() {}
 
 /// A reading of the timer.
@@ -45,8 +95,8 @@ impl Moment {
         Self(0)
     }
 
-    /// Returns the units since this moment. The system timer has 24 bits: it wraps after 671
-    /// million instructions, `mcycle` after 4,295 million.
+    /// Returns the cycles since this moment. The system timer has 24 bits: it wraps after 16.8
+    /// million cycles. Of `mcycle` 32 bits are used.
     #[cfg_attr(
         not(target_os = "none"),
         expect(clippy::missing_const_for_fn, reason = "on a core it reads the timer")

@@ -14,6 +14,7 @@ use crate::{
     bench::{PIXELS, pose, sun, view},
     console,
     cost::Cost,
+    counter,
     memory::Memory,
     models,
     surface::Surface,
@@ -136,5 +137,6 @@ fn measure<'a, S: Subpixel>(
         let rows = camera.viewport().size.height;
         cost.add(&object(frame), camera, rows, &mut vertices, None, memory);
     }
+    counter::report();
     cost
 }

@@ -32,10 +32,6 @@ pub(crate) struct Facts {
     pub(crate) target: &'static str,
     /// The arguments of QEMU that choose its board.
     pub(crate) board: &'static [&'static str],
-    /// Instructions in a unit of the firmware's counter. With `-icount shift=0` each takes a
-    /// nanosecond: a system timer at 25 MHz ticks every 40 of them, one at 20 MHz every 50.
-    /// `mcycle` counts single instructions.
-    pub(crate) instructions_per_count: u64,
 }
 
 impl Core {
@@ -46,18 +42,18 @@ impl Core {
     }
 
     pub(crate) const fn facts(self) -> Facts {
-        let (name, title, target, board, instructions_per_count): (_, _, _, &[_], _) = match self {
-            // QEMU has no ARMv6-M board with enough memory. Its Cortex-M3 retires the same
+        let (name, title, target, board): (_, _, _, &[_]) = match self {
+            // QEMU has no ARMv6-M board with enough memory. Its Cortex-M3 executes the same
             // instructions.
-            Self::M0plus => ("m0plus", "Cortex-M0+", "thumbv6m-none-eabi", &["mps2-an385"], 40),
-            Self::M4 => ("m4", "Cortex-M4", "thumbv7em-none-eabihf", &["mps2-an386"], 40),
-            Self::M7 => ("m7", "Cortex-M7", "thumbv7em-none-eabihf", &["mps2-an500"], 40),
-            Self::M33 => ("m33", "Cortex-M33", "thumbv8m.main-none-eabihf", &["mps2-an505"], 50),
+            Self::M0plus => ("m0plus", "Cortex-M0+", "thumbv6m-none-eabi", &["mps2-an385"]),
+            Self::M4 => ("m4", "Cortex-M4", "thumbv7em-none-eabihf", &["mps2-an386"]),
+            Self::M7 => ("m7", "Cortex-M7", "thumbv7em-none-eabihf", &["mps2-an500"]),
+            Self::M33 => ("m33", "Cortex-M33", "thumbv8m.main-none-eabihf", &["mps2-an505"]),
             Self::Riscv => {
-                ("riscv", "RV32IMC", "riscv32imc-unknown-none-elf", &["virt", "-bios", "none"], 1)
+                ("riscv", "RV32IMC", "riscv32imc-unknown-none-elf", &["virt", "-bios", "none"])
             }
         };
-        Facts { name, title, target, board, instructions_per_count }
+        Facts { name, title, target, board }
     }
 
     pub(crate) const fn title(self) -> &'static str {

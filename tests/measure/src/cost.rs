@@ -3,7 +3,7 @@
 use anyhow::{Context as _, Result, ensure};
 use serde::{Deserialize, de::DeserializeOwned};
 
-use crate::cores::Core;
+use crate::{counts::Stages, plugin::Output};
 
 #[path = "../../firmware/src/cost_fields.rs"]
 #[macro_use]
@@ -11,7 +11,7 @@ mod fields;
 
 macro_rules! declare {
     ($($(#[$doc:meta])* $field:ident,)*) => {
-        /// Sums over the frames, in units of the core's counter.
+        /// Sums over the frames. What the core's counter has measured is true on a board only.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
         pub(crate) struct Cost {
             $($(#[$doc])* pub(crate) $field: u64,)*
@@ -23,13 +23,13 @@ cost_fields!(declare);
 impl Cost {
     /// The mean of a sum over the frames, rounded to the nearest.
     pub(crate) const fn mean(&self, sum: u64) -> u64 {
-        (sum + self.frames / 2) / self.frames
+        mean(sum, self.frames)
     }
+}
 
-    /// Instructions a frame, of a sum that the core's counter has measured.
-    pub(crate) const fn instructions(&self, core: Core, sum: u64) -> u64 {
-        self.mean(sum * core.facts().instructions_per_count)
-    }
+/// The mean of a sum over a number of frames, rounded to the nearest.
+pub(crate) const fn mean(sum: u64, frames: u64) -> u64 {
+    (sum + frames / 2) / frames
 }
 
 /// A line of the firmware: what was drawn, and its cost.
@@ -39,18 +39,34 @@ pub(crate) struct Line<K> {
     pub(crate) key: K,
     #[serde(flatten)]
     pub(crate) cost: Cost,
+    /// What the plugin has counted meanwhile.
+    #[serde(skip)]
+    pub(crate) stages: Stages,
 }
 
-/// Parses the output of a program. Its first line is the `opt-level`.
-pub(crate) fn lines<K: DeserializeOwned>(lines: &[String]) -> Result<Vec<Line<K>>> {
-    let parse = |line: &String| {
-        let Line { key, cost } = serde_json::from_str(line)
-            .with_context(|| format!("the firmware has printed `{line}` instead of figures"))?;
-        let Cost { frames, triangles_drawn, .. } = cost;
-        ensure!(frames > 0 && triangles_drawn > 0, "the firmware has drawn nothing: {cost:?}");
-        Ok(Line { key, cost })
+/// Parses a line of the firmware.
+pub(crate) fn line<K: DeserializeOwned>(line: &str) -> Result<Line<K>> {
+    let parsed: Line<K> = serde_json::from_str(line)
+        .with_context(|| format!("the firmware has printed `{line}` instead of figures"))?;
+    let cost = &parsed.cost;
+    let is_drawn = cost.frames > 0 && cost.triangles_drawn > 0;
+    ensure!(is_drawn, "the firmware has drawn nothing: {cost:?}");
+    Ok(parsed)
+}
+
+/// Parses the output of a program. Its first line is the `opt-level`; each of the others has a
+/// report of the plugin.
+pub(crate) fn lines<K: DeserializeOwned>(output: &Output) -> Result<Vec<Line<K>>> {
+    let lines = output.lines.get(1..).unwrap_or_default();
+    let parse = |(text, &stages): (&String, &Stages)| {
+        ensure!(stages.draw.instructions > 0, "the plugin has seen nothing drawn: {text}");
+        Ok(Line { stages, ..line(text)? })
     };
-    lines.iter().skip(1).map(parse).collect()
+    let reports = &output.reports;
+    let parsed = lines.iter().zip(reports).map(parse).collect::<Result<_>>()?;
+    let (lines, reports) = (lines.len(), reports.len());
+    ensure!(lines == reports, "the firmware has printed {lines} lines for {reports} reports");
+    Ok(parsed)
 }
 
 #[cfg(test)]
@@ -58,35 +74,50 @@ pub(crate) mod tests {
     use serde_json::{Value, json};
 
     use super::*;
+    use crate::counts::Counts;
 
-    /// A line of the firmware with these sums over eight frames.
-    pub(crate) fn line(key: Value, clear: u64, vertices: u64, draw: u64) -> String {
+    /// The output of a program that draws eight frames, in which the plugin has counted these
+    /// instructions.
+    pub(crate) fn output(key: Value, clear: u64, vertices: u64, draw: u64) -> Output {
         let mut line = json!({
-            "frames": 8, "clear": clear, "vertices": vertices, "draw": draw,
+            "frames": 8, "clear": 1, "vertices": 2, "draw": 3,
             "pixels_drawn": 804, "triangles_drawn": 44, "pixels_changed": 1_600,
         });
         for (name, value) in key.as_object().unwrap() {
             line[name] = value.clone();
         }
-        line.to_string()
+        let [clear, vertices, draw] = [clear, vertices, draw]
+            .map(|instructions| Counts { instructions, ..Counts::default() });
+        Output {
+            lines: vec!["opt-level 3".into(), line.to_string()],
+            reports: vec![Stages { clear, vertices, draw }],
+        }
     }
 
     #[test]
     fn means_are_rounded_to_the_nearest() {
-        let line = line(json!({ "scene": "cube" }), 80, 16, 300);
-        let lines = lines::<Value>(&["opt-level 3".into(), line]).unwrap();
-        let Line { key, cost } = &lines[0];
+        let lines = lines::<Value>(&output(json!({ "scene": "cube" }), 80, 16, 300)).unwrap();
+        let Line { key, cost, stages } = &lines[0];
         assert_eq!(key["scene"], "cube");
         assert_eq!((cost.mean(cost.pixels_drawn), cost.mean(cost.triangles_drawn)), (101, 6));
-        assert_eq!(cost.instructions(Core::M33, cost.draw), 1_875);
-        assert_eq!(cost.instructions(Core::Riscv, cost.draw), 38);
+        assert_eq!(cost.mean(stages.draw.instructions), 38);
     }
 
     #[test]
-    fn lines_without_figures_are_quoted() {
-        let of = |line: String| lines::<Value>(&["".into(), line]).unwrap_err().to_string();
-        assert!(of("panicked at src".into()).contains("`panicked at src`"));
-        let line = line(json!({}), 1, 1, 1);
-        assert!(of(line.replace(r#""frames":8"#, r#""frames":0"#)).contains("nothing"));
+    fn lines_without_figures_or_counts_are_faults() {
+        let fault = |change: fn(&mut Output)| {
+            let mut output = output(json!({}), 1, 1, 1);
+            change(&mut output);
+            lines::<Value>(&output).unwrap_err().to_string()
+        };
+        let panicked = fault(|output| output.lines[1] = "panicked at src".into());
+        assert!(panicked.contains("`panicked at src`"));
+        let empty = fault(|output| {
+            output.lines[1] = output.lines[1].replace(r#""frames":8"#, r#""frames":0"#);
+        });
+        assert!(empty.contains("drawn nothing"));
+        assert!(fault(|output| output.reports[0] = Stages::default()).contains("seen nothing"));
+        assert!(fault(|output| output.reports.clear()).contains("1 lines for 0 reports"));
+        assert!(fault(|output| output.lines.truncate(1)).contains("0 lines for 1 reports"));
     }
 }

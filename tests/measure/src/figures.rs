@@ -7,7 +7,14 @@ use anyhow::{Context as _, Result};
 use host_tools::model::{thousands, write_atomically};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 
-use crate::{conditions::Conditions, cores::Core, firmware, progress, qemu, results, table::Table};
+use crate::{
+    conditions::Conditions,
+    cores::Core,
+    firmware,
+    plugin::{Output, Plugin},
+    progress, results, rows,
+    table::Table,
+};
 
 /// Figures of a core.
 pub(crate) trait Figures: Serialize + DeserializeOwned {
@@ -23,8 +30,8 @@ pub(crate) trait Figures: Serialize + DeserializeOwned {
     /// The programs that print them.
     const PROGRAMS: &'static [&'static str];
 
-    /// Parses the lines that each of the programs prints.
-    fn parse(core: Core, outputs: &[Vec<String>]) -> Result<Self>;
+    /// Parses what each of the programs prints, and what the plugin counts in it.
+    fn parse(outputs: &[Output]) -> Result<Self>;
 
     /// Tables, each after its caption, which may be empty.
     fn tables(&self, core: Core) -> Vec<(&'static str, Table)>;
@@ -73,15 +80,16 @@ impl<T: Figures> PerCore<T> {
     pub(crate) fn measure(cores: &[Core]) -> Result<Self> {
         let progress = progress::over(T::PROGRAMS.len() * cores.len());
         let of_core = |&core: &Core| {
+            let plugin = Plugin::build(core)?;
             let output = |program: &&str| {
                 progress.set_message(format!("{program} on {}", core.title()));
-                let lines = qemu::run(core, &firmware::build(core, program)?);
+                let output = plugin.run(&firmware::build(core, program)?);
                 progress.inc(1);
-                lines
+                output
             };
             let outputs = T::PROGRAMS.iter().map(output).collect::<Result<Vec<_>>>()?;
-            let conditions = Conditions::of(core, &outputs[0])?;
-            Ok(Measured { core, conditions, figures: T::parse(core, &outputs)? })
+            let conditions = Conditions::of(core, &outputs[0].lines)?;
+            Ok(Measured { core, conditions, figures: T::parse(&outputs)? })
         };
         Ok(Self { cores: cores.iter().map(of_core).collect::<Result<_>>()? })
     }
@@ -100,7 +108,7 @@ impl<T: Figures> PerCore<T> {
 
     /// Saves these figures beside those of other cores, and renders `RESULTS.md`.
     pub(crate) fn save(self) -> Result<()> {
-        let text = serde_json::to_string_pretty(&Self::saved()?.with(self))? + "\n";
+        let text = rows::to_string(&Self::saved()?.with(self))?;
         write_atomically(&results::file(T::FILE), text)?;
         results::render()
     }

@@ -46,6 +46,16 @@ pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
     Ok(target_directory().join("release").join(name).with_extension(env::consts::EXE_EXTENSION))
 }
 
+/// Builds the plugin for QEMU, with these features, and returns its path.
+pub(crate) fn build_plugin(features: &[&str]) -> Result<PathBuf> {
+    let mut command = Command::new(cargo_in_use());
+    command.args(["build", "--quiet", "--package", "cycles-plugin", "--release", "--features"]);
+    command.arg(features.join(","));
+    run(command, "--lib", &[])?;
+    let name = format!("{}cycles_plugin{}", env::consts::DLL_PREFIX, env::consts::DLL_SUFFIX);
+    Ok(target_directory().join("release").join(name))
+}
+
 /// The output of `rustc --version` for the compiler that builds for a core.
 pub(crate) fn compiler_version(core: Core) -> Result<String> {
     output_of(Command::new(Toolchain::find(core)?.rustc).arg("--version"))
@@ -139,7 +149,7 @@ fn cargo_in_use() -> OsString {
     env::var_os("CARGO").unwrap_or_else(|| "cargo".into())
 }
 
-fn target_directory() -> PathBuf {
+pub(crate) fn target_directory() -> PathBuf {
     let named = env::var_os("CARGO_TARGET_DIR").map(PathBuf::from);
     root().join(named.unwrap_or_else(|| "target".into()))
 }
@@ -178,11 +188,12 @@ fn run(mut command: Command, kind: &str, names: &[&str]) -> Result<()> {
     let output = output
         .with_context(|| format!("{} could not be started", command.get_program().display()))?;
     if !output.status.success() {
-        bail!(
-            "{} of the firmware could not be built:\n{}",
-            names.join(", "),
-            String::from_utf8_lossy(&output.stderr).trim_end()
-        );
+        let what = if names.is_empty() {
+            "the plugin for QEMU".into()
+        } else {
+            format!("{} of the firmware", names.join(", "))
+        };
+        bail!("{what} could not be built:\n{}", String::from_utf8_lossy(&output.stderr).trim_end());
     }
     Ok(())
 }

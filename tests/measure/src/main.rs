@@ -4,12 +4,16 @@ mod chart;
 mod conditions;
 mod cores;
 mod cost;
+mod counts;
+mod cycles;
 mod figures;
 mod firmware;
 mod frames;
+mod plugin;
 mod progress;
 mod qemu;
 mod results;
+mod rows;
 mod scaling;
 mod size;
 mod speed;
@@ -27,6 +31,7 @@ const EXAMPLES: &str = "\
 Examples:
   cargo run --quiet --release --package measure -- frames
   cargo run --quiet --release --package measure -- speed m0plus m4
+  cargo run --quiet --release --package measure -- cycles --test
   cargo run --quiet --release --package measure -- scaling
   cargo run --quiet --release --package measure -- size
 
@@ -46,6 +51,7 @@ struct Arguments {
 enum Command {
     Frames(frames::Arguments),
     Speed(speed::Arguments),
+    Cycles(cycles::Arguments),
     Scaling(scaling::Arguments),
     Size(size::Arguments),
     /// Write tests/measure/RESULTS.md and its chart again, from the saved figures
@@ -65,6 +71,7 @@ fn main() -> ExitCode {
     let done = match &Arguments::parse().command {
         Command::Frames(arguments) => frames::run(arguments),
         Command::Speed(arguments) => speed::run(arguments),
+        Command::Cycles(arguments) => cycles::run(arguments),
         Command::Scaling(arguments) => scaling::run(arguments),
         Command::Size(arguments) => size::run(arguments),
         Command::Render => results::render().map(|()| Done { text: String::new(), is_good: true }),

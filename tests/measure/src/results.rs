@@ -6,7 +6,7 @@ use anyhow::Result;
 use host_tools::model::write_atomically;
 
 use crate::{
-    firmware,
+    cycles, firmware,
     scaling::{self, Scaling},
     speed::Speed,
 };
@@ -29,7 +29,7 @@ pub(crate) fn render() -> Result<()> {
 /// The files that are made of the saved figures.
 fn rendered() -> Result<[(&'static str, String); 2]> {
     let (speed, scaling) = (Speed::saved()?, Scaling::saved()?);
-    let text = [TITLE, &speed.section(), &scaling.section()].join("\n");
+    let text = [TITLE, &speed.section(), &cycles::section(&speed), &scaling.section()].join("\n");
     Ok([("../RESULTS.md", text), ("scaling.svg", scaling::chart(&scaling))])
 }
 

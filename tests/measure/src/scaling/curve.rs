@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::{cores::Core, cost::Line, figures::PerCore};
+use crate::{cost::Line, figures::PerCore};
 
 /// What varies along a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -60,11 +60,11 @@ pub(crate) struct Point {
 }
 
 impl Point {
-    pub(super) fn new(core: Core, Line { key, cost }: Line<Key>) -> Self {
-        let vertices = cost.instructions(core, cost.vertices);
+    pub(super) fn new(Line { key, cost, stages }: Line<Key>) -> Self {
+        let vertices = cost.mean(stages.vertices.instructions);
         Self {
             key,
-            instructions: vertices + cost.instructions(core, cost.draw),
+            instructions: vertices + cost.mean(stages.draw.instructions),
             vertices,
             pixels_drawn: cost.mean(cost.pixels_drawn),
             triangles_drawn: cost.mean(cost.triangles_drawn),
@@ -117,7 +117,8 @@ pub(super) mod tests {
 
     use super::*;
     use crate::{
-        cost::tests::line,
+        cores::Core,
+        cost::tests::output,
         figures::{self, Figures as _},
     };
 
@@ -137,12 +138,12 @@ pub(super) mod tests {
     #[test]
     fn a_point_is_made_of_a_line() {
         let key = |curve| json!({ "curve": curve, "at": 8, "precision": "S8" });
-        let parse = |line| Points::parse(Core::M4, &[vec![String::new(), line]]);
-        let points = parse(line(key("cube-widths"), 99, 80, 800)).unwrap();
+        let parse = |output| Points::parse(&[output]);
+        let points = parse(output(key("cube-widths"), 99, 3_200, 32_000)).unwrap();
         let (point, exponent) = points.curve(Curve::CubeWidths, "S8")[0];
         assert_eq!((point.key.at, point.instructions, point.vertices), (8, 4_400, 400));
         assert_eq!((point.items(), exponent), (101, None));
-        let fault = parse(line(key("cone-widths"), 99, 80, 800)).unwrap_err();
+        let fault = parse(output(key("cone-widths"), 99, 80, 800)).unwrap_err();
         assert!(format!("{fault:#}").contains("cone-widths"));
     }
 

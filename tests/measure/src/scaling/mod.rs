@@ -13,6 +13,7 @@ use crate::{
     cores::Core,
     cost,
     figures::{Figures, PerCore, count},
+    plugin::Output,
     table::{Column, Table},
 };
 
@@ -58,9 +59,9 @@ it: S4 on the Cortex-M0+, S8 on the others.
 
 ![Instructions against triangles and against pixels](results/scaling.svg)";
 
-    fn parse(core: Core, outputs: &[Vec<String>]) -> Result<Self> {
+    fn parse(outputs: &[Output]) -> Result<Self> {
         let lines = cost::lines(&outputs[0])?.into_iter();
-        Ok(Self { points: lines.map(|line| Point::new(core, line)).collect() })
+        Ok(Self { points: lines.map(Point::new).collect() })
     }
 
     fn tables(&self, _: Core) -> Vec<(&'static str, Table)> {

@@ -109,7 +109,8 @@ fn is_flagged(section: &Section<'_, '_>, flag: u32) -> bool {
     matches!(section.flags(), SectionFlags::Elf { sh_flags } if sh_flags & u64::from(flag) != 0)
 }
 
-fn symbols(file: &File<'_>) -> Vec<Symbol> {
+/// The functions and statics of a program, the largest first.
+pub(crate) fn symbols(file: &File<'_>) -> Vec<Symbol> {
     let is_in_ram = |index: SectionIndex| {
         let section = file.section_by_index(index).ok();
         section.is_some_and(|section| is_flagged(&section, SHF_WRITE))

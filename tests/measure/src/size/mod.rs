@@ -1,7 +1,7 @@
 //! The command `size`: measures the flash, stack and RAM of scenes, and compares them with budgets.
 
 mod budgets;
-mod image;
+pub(crate) mod image;
 mod report;
 mod stack;
 mod unwanted;

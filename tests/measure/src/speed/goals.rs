@@ -1,6 +1,6 @@
 //! The targets of the project, and the figures of the best other renderer.
 
-use super::scene::{Key, Scene};
+use super::scene::Key;
 use crate::cores::Core;
 
 /// Instructions for a frame.
@@ -14,8 +14,8 @@ pub(super) struct Goal {
 }
 
 impl Goal {
-    pub(super) const fn is_met(self, scene: &Scene) -> bool {
-        scene.frame <= self.target
+    pub(super) const fn is_met(self, frame: u64) -> bool {
+        frame <= self.target
     }
 }
 
