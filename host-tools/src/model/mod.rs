@@ -285,7 +285,8 @@ impl Model {
         checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         // The largest of what is no longer needed: of a million triangles 200 MB.
-        polygons.corners = Vec::new();
+        let all = std::mem::take(&mut polygons.corners);
+        let rings = all.into_iter().map(|corner| corner.position).collect();
         checked.text = String::new();
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
@@ -309,7 +310,7 @@ impl Model {
         let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
         let lines = &checked.face_lines;
-        let faces = Faces::new(&polygons, &whole, &fitted, lines, &tables.welded.positions);
+        let faces = Faces::new(&polygons, rings, &whole, &fitted, lines, &tables.welded.positions);
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
         let rounding = flattening::Rounding {
