@@ -35,7 +35,8 @@ pub struct Face {
 
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
-    /// are `shape`. `lines` has the line of each, `vertices` the position of each vertex of the tables.
+    /// are `shape`. `lines` has the line of each, `vertices` the position of each vertex of the
+    /// tables.
     pub(super) fn new(
         polygons: &Polygons,
         corners: Vec<u32>,
