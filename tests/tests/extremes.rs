@@ -210,3 +210,44 @@ fn scales_of_mesh_and_pose_multiply() {
     let none = seen(-15, Distance::ZERO);
     assert!(none.counts().iter().all(|&count| count == 0));
 }
+
+/// A triangle of two quanta, 1/65,536 of a unit long, that a lens of 0.01 degrees shows as large as
+/// the picture: its legs are 104 and 208 pixels long.
+#[test]
+fn a_tiny_object_before_the_longest_lens_is_drawn() {
+    let surface = Surface::new(vec![[-2, 0, 0], [-2, 1, 0], [-2, 0, -2]], vec![[0, 1, 2]]);
+    let surface = surface.scaled(-17);
+    let mesh = surface.mesh();
+    let field = Turn::from_bits((2f64.powi(32) * 0.01 / 360.0) as u32);
+    let lens = Perspective::new(field, Distance::lit("0.05"), Distance::lit("10")).unwrap();
+    let viewport = area(0, 0, 480, 240);
+    let eye = Vec3::lit("0.1", "0", "0");
+    let camera = Camera::at(eye, Rotation::about_y(Turn::QUARTER), lens, viewport).unwrap();
+    let scene = Scene::new(&mesh, camera);
+    let expected = 104.9 * 209.7 / 2.0;
+    for count in [scene.count::<S4, CullNone>(viewport), scene.count::<S8, CullNone>(viewport)] {
+        let covered = f64::from(count.counts().iter().sum::<u32>());
+        assert!((covered / expected - 1.0).abs() < 0.01, "{covered} pixels instead of {expected}");
+    }
+}
+
+/// A floor of 60,000 units, seen from 0.01 above it: all of the lower half of the picture.
+#[test]
+fn a_vast_floor_reaches_from_the_feet_to_the_horizon() {
+    let mut random = Random::new(3);
+    let floor = Surface::sheet([-30_000, 30_000], [-30_000, 30_000], [8, 8], &mut random);
+    let mesh = floor.mesh();
+    let lens =
+        Perspective::new(Turn::degrees(60), Distance::lit("0.1"), Distance::lit("65535")).unwrap();
+    let viewport = area(0, 0, 320, 240);
+    let eye = Vec3::lit("3.5", "0.01", "-2.25");
+    let camera = Camera::at(eye, Rotation::IDENTITY, lens, viewport).unwrap();
+    let lying = Pose::rotated(Rotation::about_x(-Turn::QUARTER));
+    let scene = Scene { pose: lying, ..Scene::new(&mesh, camera) };
+    let counts = scene.count::<S8, CullNone>(viewport);
+    // At the near plane the floor is 0.01 * 207.8 / 0.1 = 20.8 rows below the middle.
+    for y in 0..240 {
+        let expected = u32::from((120..141).contains(&y));
+        assert!((0..320).all(|x| counts.at(x, y) == expected), "row {y}");
+    }
+}

@@ -286,38 +286,43 @@ impl<'a> Outlines<'a> {
         if corners.iter().any(|p| -p[2] < near) {
             close.add_all();
         } else {
-            self.mark_rectangle(close, &corners);
+            self.mark_rectangle(close, &corners, self.planes[face].deviation);
         }
     }
 
-    /// Marks the rectangle about points in view space, and a pixel more.
-    fn mark_rectangle(&self, close: &mut Pixels, points: &[[f64; 3]]) {
+    /// Marks the rectangle about points of a face in view space, and what the core may move there.
+    fn mark_rectangle(&self, close: &mut Pixels, points: &[[f64; 3]], deviation: f64) {
         let places: Vec<_> = points.iter().map(|&p| self.on_screen(p)).collect();
         let low = |axis: usize| places.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
         let high = |axis: usize| places.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-        close.add_between([low(0) - 1.0, low(1) - 1.0], [high(0) + 1.0, high(1) + 1.0]);
+        let reach = |&p: &[f64; 3]| {
+            self.placement.of_piece(&Piece { ends: [p; 2], is_cut: true, tilt: 0.0 }, deviation)
+        };
+        let reach = points.iter().map(reach).fold(0.0, f64::max);
+        close.add_between([low(0) - reach, low(1) - reach], [high(0) + reach, high(1) + reach]);
     }
 
     /// Marks the pixels close to where the near and the far plane cut a face: in the layer about
     /// each in which vertices of the tables may lie on the other side. Adds the cut to `winding`.
     fn mark_cuts(&self, face: usize, close: &mut Pixels, mut winding: Option<&mut Winding>) {
+        /// A line that may be moved by more pixels is marked by the rectangle about its layer.
+        const NARROW: f64 = 1.0;
         let [near, far] = self.camera.projection.depth_range();
-        let margin = self.placement.margin();
-        let Face { corners, .. } = &self.faces.faces[face];
-        let positions = &self.faces.corners[corners.clone()];
-        let distances = || positions.iter().map(|&position| -self.points[position as usize][2]);
-        let nearest = distances().fold(f64::INFINITY, f64::min);
-        let farthest = distances().fold(f64::NEG_INFINITY, f64::max);
-        if nearest > near + margin && farthest < far - margin {
+        let deviation = self.planes[face].deviation;
+        // A point of the face lies within the deviation of the mean plane. So do the points of the
+        // outline on both sides of it, at the distance that it has there.
+        let layer = self.placement.margin() + 2.0 * deviation;
+        let corners = self.corners(face);
+        let nearest = corners.iter().map(|p| -p[2]).fold(f64::INFINITY, f64::min);
+        let farthest = corners.iter().map(|p| -p[2]).fold(f64::NEG_INFINITY, f64::max);
+        if nearest > near + layer && farthest < far - layer {
             return;
         }
-        let deviation = self.planes[face].deviation;
         for (plane, side) in [(near, 1.0), (far, -1.0)] {
-            let mut points: Vec<_> = (self.corners(face).into_iter())
-                .filter(|p| (-p[2] - plane).abs() <= margin)
-                .collect();
+            let mut points: Vec<_> =
+                corners.iter().copied().filter(|p| (-p[2] - plane).abs() <= layer).collect();
             let mut is_narrow = points.len() < corners.len();
-            for offset in [-margin, 0.0, margin] {
+            for offset in [-layer, 0.0, layer] {
                 for piece in self.cuts(face, plane + offset, side) {
                     let [from, to] = piece.ends.map(|end| self.on_screen(end));
                     if let Some(winding) = winding.as_deref_mut().filter(|_| offset == 0.0) {
@@ -325,16 +330,15 @@ impl<'a> Outlines<'a> {
                     }
                     points.extend(piece.ends);
                     let reach = self.placement.of_piece(&piece, deviation);
-                    if reach <= 1.0 {
+                    is_narrow &= reach <= NARROW;
+                    if is_narrow {
                         close.add_close_to(from, to, reach);
-                    } else {
-                        is_narrow = false;
                     }
                 }
             }
-            // Nearly parallel to the plane.
+            // Nearly parallel to the plane, or far from flat.
             if !is_narrow {
-                self.mark_rectangle(close, &points);
+                self.mark_rectangle(close, &points, deviation);
             }
         }
     }

@@ -155,18 +155,23 @@ fn table(
 }
 
 fn row<T: Display + Copy + Into<i32>, const N: usize>(numbers: &[T; N]) -> String {
-    let texts: Vec<String> = numbers.iter().map(|&n| number(n.into())).collect();
-    format!("[{}]", texts.join(", "))
+    let mut text = "[".to_owned();
+    for (place, &n) in numbers.iter().enumerate() {
+        text += if place > 0 { ", " } else { "" };
+        push_number(&mut text, n.into());
+    }
+    text + "]"
 }
 
 /// Numbers of more than five digits are grouped, as `clippy::unreadable_literal` wants them.
-fn number(number: i32) -> String {
+fn push_number(text: &mut String, number: i32) {
     let magnitude = number.unsigned_abs() as usize;
-    let sign = if number < 0 { "-" } else { "" };
     if magnitude < 100_000 {
-        format!("{sign}{magnitude}")
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{number}");
     } else {
-        format!("{sign}{}", grouped(magnitude, '_'))
+        *text += if number < 0 { "-" } else { "" };
+        *text += &grouped(magnitude, '_');
     }
 }
 

@@ -34,10 +34,11 @@ pub struct Face {
 }
 
 impl Faces {
-    /// The faces of `polygons`, whose positions of a common size are `shape`. `lines` has the line
-    /// of each, `vertices` the position of each vertex of the tables.
+    /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
+    /// are `shape`. `lines` has the line of each, `vertices` the position of each vertex of the tables.
     pub(super) fn new(
         polygons: &Polygons,
+        corners: Vec<u32>,
         shape: &[Vector],
         fitted: &Fitted,
         lines: &[usize],
@@ -46,20 +47,15 @@ impl Faces {
         let mut start = 0;
         let faces = (polygons.faces.iter().zip(lines))
             .map(|(&polygons::Face { arity, material, .. }, &line)| {
-                let corners = start..start + arity;
-                start = corners.end;
-                Face { corners, color: polygons.colors[material], line }
+                let range = start..start + arity;
+                start = range.end;
+                Face { corners: range, color: polygons.colors[material], line }
             })
             .collect();
         let positions = (polygons.positions.iter().zip(shape))
             .map(|(&original, &shape)| fitted.place(original, shape))
             .collect();
-        Self {
-            positions,
-            corners: polygons.corners.iter().map(|corner| corner.position).collect(),
-            faces,
-            vertices: vertices.to_vec(),
-        }
+        Self { positions, corners, faces, vertices: vertices.to_vec() }
     }
 
     /// The positions of a face's corners.

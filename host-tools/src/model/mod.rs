@@ -284,6 +284,10 @@ impl Model {
         }
         checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
+        // The largest of what is no longer needed: of a million triangles 200 MB.
+        let all = std::mem::take(&mut polygons.corners);
+        let rings = all.into_iter().map(|corner| corner.position).collect();
+        checked.text = String::new();
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
@@ -299,14 +303,14 @@ impl Model {
         let welded = weld::weld(&corners, &normals, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
-        let tables = Ordered::new(welded, &materials);
+        let tables = order::Ordered::new(welded, &materials);
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
         let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
         let lines = &checked.face_lines;
-        let faces = Faces::new(&polygons, &whole, &fitted, lines, &tables.welded.positions);
+        let faces = Faces::new(&polygons, rings, &whole, &fitted, lines, &tables.welded.positions);
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
         let rounding = flattening::Rounding {
@@ -458,34 +462,6 @@ fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Mater
     }
     triangles.sort_by_key(|triangle| rank[triangle.material]);
     materials
-}
-
-/// Welded vertices and triangles in their final order.
-struct Ordered {
-    welded: Welded,
-    cache_misses_before: f64,
-    cache_misses: f64,
-}
-
-impl Ordered {
-    fn new(welded: Welded, materials: &[Material]) -> Self {
-        let count = welded.positions.len();
-        let runs: Vec<usize> = materials.iter().map(|m| m.triangle_count as usize).collect();
-        let mut triangles = order::triangles(&welded.triangles, &runs, count);
-        let cache_misses_before = order::cache_miss_ratio(&welded.triangles, count);
-        let cache_misses = order::cache_miss_ratio(&triangles, count);
-        let vertices = order::vertices(&mut triangles, count);
-        Self {
-            welded: Welded {
-                positions: vertices.iter().map(|&v| welded.positions[v]).collect(),
-                normals: vertices.iter().map(|&v| welded.normals[v]).collect(),
-                textures: vertices.iter().map(|&v| welded.textures[v]).collect(),
-                triangles,
-            },
-            cache_misses_before,
-            cache_misses,
-        }
-    }
 }
 
 /// The unrounded tables that `contents` asks for.

@@ -6,6 +6,9 @@
 //! back.
 
 use optimesh::vcacheoptimizer::optimize_vertex_cache;
+use rasterizer::mesh::Material;
+
+use super::weld::Welded;
 
 /// The size of the first-in-first-out cache by which an order is judged.
 const CACHE: usize = 16;
@@ -15,13 +18,40 @@ const CACHE: usize = 16;
 /// of 60,000 sides it takes ten seconds.
 const MOST_TRIANGLES: u32 = 64;
 
+/// Welded vertices and triangles in their final order.
+pub(super) struct Ordered {
+    pub welded: Welded,
+    /// See [`Report`](super::Report).
+    pub cache_misses_before: f64,
+    /// See [`Report`](super::Report).
+    pub cache_misses: f64,
+}
+
+impl Ordered {
+    /// Orders triangles within their materials, which they are sorted by.
+    pub(super) fn new(welded: Welded, materials: &[Material]) -> Self {
+        let count = welded.positions.len();
+        let runs: Vec<usize> = materials.iter().map(|m| m.triangle_count as usize).collect();
+        let mut ordered = triangles(&welded.triangles, &runs, count);
+        let cache_misses_before = cache_miss_ratio(&welded.triangles, count);
+        let cache_misses = cache_miss_ratio(&ordered, count);
+        let vertices = vertices(&mut ordered, count);
+        Self {
+            welded: Welded {
+                positions: vertices.iter().map(|&v| welded.positions[v]).collect(),
+                normals: vertices.iter().map(|&v| welded.normals[v]).collect(),
+                textures: vertices.iter().map(|&v| welded.textures[v]).collect(),
+                triangles: ordered,
+            },
+            cache_misses_before,
+            cache_misses,
+        }
+    }
+}
+
 /// Reorders the triangles within each run of `run_lengths`, where that makes for fewer cache
 /// misses.
-pub(super) fn triangles(
-    triangles: &[[u32; 3]],
-    run_lengths: &[usize],
-    vertices: usize,
-) -> Vec<[u32; 3]> {
+fn triangles(triangles: &[[u32; 3]], run_lengths: &[usize], vertices: usize) -> Vec<[u32; 3]> {
     let mut ordered = Vec::with_capacity(triangles.len());
     let mut numbering = Numbering::of(vertices);
     let mut rest = triangles;
@@ -61,7 +91,7 @@ fn optimised(triangles: &[[u32; 3]], vertices: usize) -> Vec<[u32; 3]> {
 
 /// The vertices in order of first use. All triangles are renumbered to it; vertices that none uses
 /// are left out.
-pub(super) fn vertices(triangles: &mut [[u32; 3]], vertices: usize) -> Vec<usize> {
+fn vertices(triangles: &mut [[u32; 3]], vertices: usize) -> Vec<usize> {
     Numbering::of(vertices).renumber(triangles)
 }
 
@@ -96,7 +126,7 @@ impl Numbering {
 
 /// Vertices transformed per triangle: from 0.5 (a large regular grid, at best) to 3 (nothing
 /// shared).
-pub(super) fn cache_miss_ratio(triangles: &[[u32; 3]], vertices: usize) -> f64 {
+fn cache_miss_ratio(triangles: &[[u32; 3]], vertices: usize) -> f64 {
     // The cache holds the vertices of the last `CACHE` misses.
     let mut last_miss = vec![None; vertices];
     let mut misses = 0_usize;

@@ -71,11 +71,15 @@ pub(super) fn read(
     let mut smoothing = checked.smoothing.iter();
     for tobj::Model { mesh, .. } in &models {
         let material = mesh.material_id.unwrap_or(libraries.colors.len());
+        let mut names: Vec<Option<u32>> = vec![None; mesh.positions.len() / 3];
         for corner in 0..mesh.indices.len() {
-            let position = nth(&mesh.positions, mesh.indices[corner]);
-            let index = *known.entry(key(position)).or_insert_with(|| {
-                polygons.positions.push(position);
-                polygons.positions.len() as u32 - 1
+            let vertex = mesh.indices[corner];
+            let index = *names[vertex as usize].get_or_insert_with(|| {
+                let position = nth(&mesh.positions, vertex);
+                *known.entry(key(position)).or_insert_with(|| {
+                    polygons.positions.push(position);
+                    polygons.positions.len() as u32 - 1
+                })
             });
             polygons.corners.push(Corner {
                 position: index,

@@ -60,7 +60,8 @@ pub(super) fn normal(exact: Vector) -> [i8; 3] {
     let near = candidates.filter(|&c| {
         (length(c) - 127.0).abs() <= 0.75_f64.sqrt() && c.iter().all(|x| x.abs() <= 127.0)
     });
-    let best = near.min_by(|&a, &b| angle(a, exact).total_cmp(&angle(b, exact)));
+    let angles = near.map(|c| (angle(c, exact), c));
+    let best = angles.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, c)| c);
     best.unwrap_or_else(|| target.map(f64::round)).map(|x| x as i8)
 }
 

@@ -60,6 +60,34 @@ fn indices(model: &Model) -> Vec<[usize; 3]> {
 }
 
 #[test]
+fn faces_stay_whole_with_their_lines_and_colors() {
+    // A triangle without area at the end, which no table has, on two lines of the file.
+    let text = format!("{CUBE}# end\nf 1 2 \\\n1\n");
+    let model = load_files(
+        &[("cube.obj", text.as_bytes()), ("cube.mtl", CUBE_MTL.as_bytes())],
+        &Options::default(),
+    )
+    .unwrap();
+    let faces = &model.exact.faces;
+    let lines: Vec<usize> = faces.faces.iter().map(|face| face.line).collect();
+    assert_eq!(lines, [11, 12, 14, 15, 17, 18, 20]);
+    let colors: Vec<u8> = faces.faces.iter().map(|face| face.color[2]).collect();
+    assert_eq!(colors, [0, 0, 255, 255, 0, 0, 0]);
+    let sizes: Vec<usize> = faces.faces.iter().map(|face| face.corners.len()).collect();
+    assert_eq!(sizes, [4, 4, 4, 4, 4, 4, 3]);
+    // In the unit sphere as the tables are, and each vertex at its position, bit for bit.
+    let third = 1.0 / 3f64.sqrt();
+    let ring = faces.ring(&faces.faces[0]);
+    for (p, want) in ring.iter().zip([[-1, -1, 1], [1, -1, 1], [1, 1, 1], [-1, 1, 1]]) {
+        let off = sub(*p, want.map(|c| f64::from(c) * third));
+        assert!(length(off) < 1e-15, "{ring:?}");
+    }
+    for (&position, exact) in faces.vertices.iter().zip(&model.exact.positions) {
+        assert_eq!(faces.positions[position as usize], *exact);
+    }
+}
+
+#[test]
 fn faults_of_files_say_what_to_do() {
     let message =
         |text: &[u8]| load_files(&[("m.obj", text)], &Options::default()).unwrap_err().to_string();

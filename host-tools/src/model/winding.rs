@@ -9,6 +9,7 @@ use std::path::Path;
 
 use super::{
     polygons::{Corner, Polygons},
+    quote::shown,
     report::thousands,
     vector::{Vector, add, cross, dot, scaled, sub},
 };
@@ -263,7 +264,7 @@ impl Winding {
             text += " one side only, as a Moebius strip has: it cannot be mended, so draw it \
                      without culling";
         }
-        (!text.is_empty()).then(|| format!("{}: {text}", path.display()))
+        (!text.is_empty()).then(|| format!("{}: {text}", shown(path)))
     }
 }
 

@@ -103,8 +103,12 @@ impl Pixels {
         }
     }
 
-    /// Adds those whose centre lies in a rectangle, or on its sides.
+    /// Adds those whose centre lies in a rectangle, or on its sides. All pixels, if one of the
+    /// numbers is NaN.
     pub fn add_between(&mut self, [left, top]: [f64; 2], [right, bottom]: [f64; 2]) {
+        if [left, top, right, bottom].iter().any(|c| c.is_nan()) {
+            self.add_all();
+        }
         let columns = first_center(left)..last_center(right, self.width);
         for row in first_center(top)..last_center(bottom, self.height) {
             if !columns.is_empty() {
@@ -254,6 +258,8 @@ mod tests {
         close.add_between([9.0, 0.0], [11.0, 4.0]);
         let marked: Vec<usize> = (0..16).filter(|&pixel| close.contain(pixel)).collect();
         assert_eq!(marked, [1, 5]);
+        close.add_between([0.0, 0.0], [f64::NAN, 1.0]);
+        assert!((0..16).all(|pixel| close.contain(pixel)));
     }
 
     #[test]

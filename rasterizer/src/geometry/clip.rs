@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     attribute::{Varyings, lerp},
-    numbers::{Coordinate, Divisor},
+    numbers::{Coordinate, Divisor, mul_wide_q30},
 };
 
 /// A triangle has three corners, and each of the six planes adds one at most.
@@ -61,22 +61,45 @@ impl ClipPlane {
         }
     }
 
+    /// The distance in 2^-32 units.
+    fn exact_distance<P: Projection, C: Coordinate, V>(
+        self,
+        vertex: &ClipVertex<C, V>,
+        transform: &Transform<P>,
+    ) -> i64 {
+        let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(C::to_bits);
+        let w = transform.lens.exact_w(z);
+        match self {
+            Self::Near => z - (i64::from(transform.near) << 32),
+            Self::Far => (i64::from(transform.far) << 32) - z,
+            Self::Left => w + x,
+            Self::Right => w - x,
+            Self::Top => w + y,
+            Self::Bottom => w - y,
+        }
+    }
+
     /// Moves a new vertex, which is rounded, exactly onto the plane.
     fn put_onto<P: Projection, C: Coordinate, V>(
         self,
         vertex: &mut ClipVertex<C, V>,
         transform: &Transform<P>,
     ) {
-        let w = transform.lens.w(vertex.z.units());
-        let (coordinate, place) = match self {
-            Self::Near => (&mut vertex.z, transform.near),
-            Self::Far => (&mut vertex.z, transform.far),
-            Self::Left => (&mut vertex.x, -w),
-            Self::Right => (&mut vertex.x, w),
-            Self::Top => (&mut vertex.y, -w),
-            Self::Bottom => (&mut vertex.y, w),
+        let w = |z: C| {
+            if C::HAS_FRACTION {
+                transform.lens.exact_w(z.to_bits())
+            } else {
+                transform.lens.w(z.units()).into()
+            }
         };
-        *coordinate = C::new(place, 0);
+        match self {
+            Self::Near => vertex.z = C::new(transform.near, 0),
+            Self::Far => vertex.z = C::new(transform.far, 0),
+            Self::Left => vertex.x = C::from_bits(-w(vertex.z)),
+            Self::Right => vertex.x = C::from_bits(w(vertex.z)),
+            Self::Top => vertex.y = C::from_bits(-w(vertex.z)),
+            Self::Bottom => vertex.y = C::from_bits(w(vertex.z)),
+        }
     }
 }
 
@@ -103,9 +126,13 @@ pub(crate) fn clip<P: Projection, C: Coordinate, V: Varyings>(
             let to_distance = plane.distance(to, transform);
             if (from_distance < 0) != (to_distance < 0) {
                 let (inside, outside) = if to_distance < 0 { (from, to) } else { (to, from) };
-                let (most, least) =
-                    (from_distance.max(to_distance), from_distance.min(to_distance));
-                let mut vertex = crossing(inside, outside, most, least);
+                let mut vertex = if C::HAS_FRACTION {
+                    exact_crossing(plane, inside, outside, transform)
+                } else {
+                    let (most, least) =
+                        (from_distance.max(to_distance), from_distance.min(to_distance));
+                    crossing(inside, outside, most, least)
+                };
                 plane.put_onto(&mut vertex, transform);
                 let _ = cut.push(vertex);
             }
@@ -131,13 +158,53 @@ fn crossing<C: Coordinate, V: Varyings>(
     let length = inside_distance.abs_diff(outside_distance);
     let (t, _) = Divisor::new(length.into()).divide(i64::from(inside_distance) << 30);
     let t = t as u32;
-    let between =
-        |a: C, b: C| C::new(lerp(i64::from(a.units()), i64::from(b.units()), t) as i32, 0);
+    let between = |a: C, b: C| C::from_bits(lerp(a.to_bits(), b.to_bits(), t));
     ClipVertex {
         x: between(inside.x, outside.x),
         y: between(inside.y, outside.y),
         z: between(inside.z, outside.z),
         varyings: inside.varyings.lerp(outside.varyings, t),
+    }
+}
+
+/// The same for coordinates with a fraction, in two steps: to a 2^29th of the edge, and from there
+/// to a 2^58th.
+#[cold]
+#[inline(never)]
+fn exact_crossing<P: Projection, C: Coordinate, V: Varyings>(
+    plane: ClipPlane,
+    inside: &ClipVertex<C, V>,
+    outside: &ClipVertex<C, V>,
+    transform: &Transform<P>,
+) -> ClipVertex<C, V> {
+    // Whole units told on which side they are; a fraction may tell otherwise.
+    let inside_distance = plane.exact_distance(inside, transform).max(0);
+    let length = inside_distance.abs_diff(plane.exact_distance(outside, transform).min(-1));
+    let divide = |dividend: i64, divisor: u64| Divisor::new(divisor.max(1)).divide(dividend).0;
+    // Both with as many bits as let the dividend fit.
+    let drop = 33u32.saturating_sub(length.leading_zeros());
+    let t = divide((inside_distance >> drop) << 30, length >> drop).min(1 << 30);
+    let between =
+        |a: C, b: C| C::from_bits(a.to_bits() + mul_wide_q30(b.to_bits() - a.to_bits(), t as i32));
+    let varyings = inside.varyings.lerp(outside.varyings, t as u32);
+    let near = ClipVertex {
+        x: between(inside.x, outside.x),
+        y: between(inside.y, outside.y),
+        z: between(inside.z, outside.z),
+        varyings,
+    };
+    // The rest of the way, as a part of the edge in Q60. An edge of two units has none.
+    let rest = plane.exact_distance(&near, transform).clamp(-(1 << 34), 1 << 34);
+    let t = if length >> 33 == 0 { 0 } else { divide(rest << 27, length >> 33) };
+    let t = t.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+    let nearer = |c: C, a: C, b: C| {
+        C::from_bits(c.to_bits() + (mul_wide_q30((b.to_bits() - a.to_bits()) >> 8, t) >> 22))
+    };
+    ClipVertex {
+        x: nearer(near.x, inside.x, outside.x),
+        y: nearer(near.y, inside.y, outside.y),
+        z: nearer(near.z, inside.z, outside.z),
+        varyings,
     }
 }
 
@@ -153,11 +220,11 @@ mod tests {
         camera::{Camera, Distance, Perspective},
         geometry::Pose,
         mesh::{Material, Mesh, Positions, Tables, Triangles},
-        numbers::{Rotation, S4, Scale, Vec3},
+        numbers::{Rotation, S4, S8, Scale, Subpixel, Vec3},
         random::Random,
     };
 
-    fn transform() -> Transform<Perspective> {
+    fn transform<S: Subpixel>() -> Transform<Perspective> {
         let lens = Perspective::with_focal_length(
             Distance::lit("100"),
             Distance::ONE,
@@ -173,7 +240,7 @@ mod tests {
             materials: const { &[Material::new([0; 3], 1)] },
             ..Tables::EMPTY
         };
-        Transform::new::<S4>(&camera, &Pose::IDENTITY, &Mesh::new_const(tables))
+        Transform::new::<S>(&camera, &Pose::IDENTITY, &Mesh::new_const(tables))
     }
 
     fn vertex(transform: &Transform<Perspective>, position: [i16; 3]) -> ClipVertex<i32, [u16; 1]> {
@@ -199,7 +266,7 @@ mod tests {
 
     #[test]
     fn a_triangle_inside_is_left_alone_and_one_outside_vanishes() {
-        let transform = transform();
+        let transform = transform::<S4>();
         let inside =
             [[-100, 0, -3000], [100, 0, -3000], [0, 90, -4000]].map(|p| vertex(&transform, p));
         assert_eq!(polygon(inside, &transform).as_slice(), inside);
@@ -210,7 +277,7 @@ mod tests {
 
     #[test]
     fn corners_are_inside_all_planes_and_within_the_varyings_range() {
-        let transform = transform();
+        let transform = transform::<S4>();
         let mut random = Random::new(99);
         let mut largest = 0;
         for _ in 0..20_000 {
@@ -232,7 +299,7 @@ mod tests {
     /// documents. Its ends are known to a unit, and so is what is interpolated between them.
     #[test]
     fn cut_corners_are_where_the_edge_meets_the_plane() {
-        let transform = transform();
+        let transform = transform::<S4>();
         let mut random = Random::new(17);
         let (mut cut, mut worst) = (0, 0f64);
         for _ in 0..50_000 {
@@ -261,11 +328,42 @@ mod tests {
         assert!(worst <= 2.0, "{worst}");
     }
 
+    /// With a fraction: within a 2^57th of the edge, and what the two steps round, against exact
+    /// rationals.
+    #[test]
+    fn cut_corners_with_a_fraction_are_on_the_edge() {
+        let transform = transform::<S8>();
+        let mut random = Random::new(18);
+        let mut cut = 0;
+        for _ in 0..50_000 {
+            let [a, b] = [0; 2].map(|_| {
+                transform.object_to_clip::<i64, _>([0; 3].map(|_| coordinate(&mut random)), [7u16])
+            });
+            for plane in PLANES {
+                if plane.distance(&a, &transform) < 0 || plane.distance(&b, &transform) >= 0 {
+                    continue;
+                }
+                cut += 1;
+                let [from, to] =
+                    [a, b].map(|end| i128::from(plane.exact_distance(&end, &transform)));
+                let corner = exact_crossing(plane, &a, &b, &transform);
+                for (got, [a, b]) in
+                    [(corner.x, [a.x, b.x]), (corner.y, [a.y, b.y]), (corner.z, [a.z, b.z])]
+                {
+                    let exact = (i128::from(a) * -to + i128::from(b) * from) / (from - to);
+                    let bound = 4 + (i128::from(b) - i128::from(a)).abs() / (1 << 57);
+                    assert!((i128::from(got) - exact).abs() <= bound, "{a} {b}: {got} {exact}");
+                }
+            }
+        }
+        assert!(cut > 10_000, "only {cut} edges were cut");
+    }
+
     /// The corners on an edge are the same whichever triangle it belongs to and whichever way it
     /// runs.
     #[test]
     fn a_shared_edge_is_cut_alike() {
-        let transform = transform();
+        let transform = transform::<S4>();
         let mut random = Random::new(7);
         let mut cut = 0;
         for _ in 0..20_000 {

@@ -66,6 +66,9 @@ pub(crate) trait Lens: Copy + core::fmt::Debug {
     /// The divisor of x and y: over 0 and below 2^30 for a z from the near plane on.
     fn w(&self, z: i32) -> i32;
 
+    /// The same in 2^-32 units.
+    fn exact_w(&self, z: i64) -> i64;
+
     /// 1 / 2 w.
     fn reciprocal_of_twice_w<C: Coordinate>(&self, z: C) -> Reciprocal;
 
@@ -146,6 +149,10 @@ impl Lens for PerspectiveLens {
         z
     }
 
+    fn exact_w(&self, z: i64) -> i64 {
+        z
+    }
+
     #[inline(always)]
     fn reciprocal_of_twice_w<C: Coordinate>(&self, z: C) -> Reciprocal {
         Reciprocal::of_words(z.shifted_units(1).cast_unsigned(), z.fraction() << 1)
@@ -223,6 +230,10 @@ impl Lens for OrthographicLens {
     #[inline(always)]
     fn w(&self, _: i32) -> i32 {
         self.w
+    }
+
+    fn exact_w(&self, _: i64) -> i64 {
+        i64::from(self.w) << 32
     }
 
     #[inline(always)]

@@ -167,13 +167,23 @@ impl<P: Projection> Transform<P> {
         &self,
         vertex: ClipVertex<S::Coordinate, V>,
     ) -> ScreenVertex<S, D, V::OnScreen> {
-        let ClipVertex { varyings, .. } = vertex;
         let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(S::Coordinate::units);
         let w = self.lens.w(z);
         // Negative if one of them is: no coordinate reaches 2^30.
         if ((z - self.near) | (self.far - z) | (w - x) | (w + x) | (w - y) | (w + y)) < 0 {
             return ScreenVertex::off_screen(V::OnScreen::ZERO);
         }
+        self.place_on_screen(vertex)
+    }
+
+    /// Projects a vertex that lies within near plane, far plane and guard band, perhaps by a
+    /// fraction of a unit.
+    #[inline(always)]
+    pub(crate) fn place_on_screen<S: Subpixel, D: DepthFormat, V: Varyings>(
+        &self,
+        vertex: ClipVertex<S::Coordinate, V>,
+    ) -> ScreenVertex<S, D, V::OnScreen> {
+        let ClipVertex { varyings, .. } = vertex;
         let reciprocal = self.lens.reciprocal_of_twice_w(vertex.z);
         // x / w = (x << n) r / 2^61, where r = 2^62 / (2 w << n) and |x| <= w < 2^30: its upper
         // half has 29 bits behind the point; 10 + S of them are sub-pixels of the guard band.
@@ -188,7 +198,7 @@ impl<P: Projection> Transform<P> {
         ScreenVertex::new(
             to_subpixels(vertex.x, self.center[0]),
             to_subpixels(vertex.y, self.center[1]),
-            D::from_fraction(self.lens.depth(z, reciprocal)),
+            D::from_fraction(self.lens.depth(vertex.z.units(), reciprocal)),
             varyings.on_screen(self.lens.inverse_w(reciprocal)),
         )
     }

@@ -53,10 +53,11 @@ pub trait Clipping: Copy {
 
 /// Cuts them at the planes: for objects that can be anywhere.
 ///
-/// A corner that a plane cuts is within 4 units of clip space of the exact one along each axis, for
-/// each of the planes that cut it; a unit is a 2<sup>30</sup>th of the largest coordinate m of
-/// [`PoseError`](super::PoseError). On the screen that is m / w 2<sup>S-17</sup> sub-pixels: 1/32
-/// for S4 and half of one for S8 at m = 256 w. Triangles that share an edge share its corners.
+/// A corner that a plane cuts with [`S8`](crate::numbers::S8) is as exact as the edge that it is
+/// on. With [`S4`](crate::numbers::S4) it is within 4 units of clip space of that along each axis,
+/// for each of the planes that cut it; a unit is a 2<sup>30</sup>th of the largest coordinate m of
+/// [`PoseError`](super::PoseError). On the screen that is m / w 2<sup>-13</sup> sub-pixels: an
+/// eighth at the limit of m = 1,024 w. Triangles that share an edge share its corners.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct ClipAll;
 

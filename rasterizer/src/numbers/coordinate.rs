@@ -11,6 +11,12 @@ pub trait Coordinate: Copy + Debug + PartialEq {
     /// From whole units, and 32 bits behind the point.
     fn new(units: i32, fraction: u32) -> Self;
 
+    /// From units with the binary digits behind the point that it keeps: 32 or none.
+    fn from_bits(bits: i64) -> Self;
+
+    /// In units with the binary digits behind the point that it keeps.
+    fn to_bits(self) -> i64;
+
     /// The whole units, rounded down.
     fn units(self) -> i32;
 
@@ -35,6 +41,16 @@ impl Coordinate for i32 {
     }
 
     #[inline(always)]
+    fn from_bits(bits: i64) -> Self {
+        bits as Self
+    }
+
+    #[inline(always)]
+    fn to_bits(self) -> i64 {
+        self.into()
+    }
+
+    #[inline(always)]
     fn units(self) -> i32 {
         self
     }
@@ -52,6 +68,16 @@ impl Coordinate for i64 {
     #[inline(always)]
     fn new(units: i32, fraction: u32) -> Self {
         Self::from(units) << 32 | Self::from(fraction)
+    }
+
+    #[inline(always)]
+    fn from_bits(bits: i64) -> Self {
+        bits
+    }
+
+    #[inline(always)]
+    fn to_bits(self) -> i64 {
+        self
     }
 
     #[inline(always)]

@@ -222,7 +222,7 @@ where
         });
         clip(triangle, &self.transform, |vertex| {
             // There are as many places as `clip` has.
-            let _ = corners.push(self.transform.clip_to_screen(vertex));
+            let _ = corners.push(self.transform.place_on_screen(vertex));
         });
     }
 }
