@@ -29,9 +29,9 @@ pub const SIZE: Size = Size::new(320, 240);
 /// Its pixels.
 pub const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 /// Vertices of the largest model.
-const VERTICES: usize = 3000;
+const VERTICES: usize = if cfg!(models) { 3000 } else { 300 };
 /// Triangles of the largest model.
-const TRIANGLES: usize = 6000;
+const TRIANGLES: usize = if cfg!(models) { 6000 } else { 600 };
 const FRAMES: u32 = 8;
 const BAND_ROWS: u32 = 16;
 

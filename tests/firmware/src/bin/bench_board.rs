@@ -1,4 +1,4 @@
-//! Prints the cycles that the frames of each bench scene take on a board with 100 KB of RAM, by its
+//! Prints the cycles that the frames of each bench scene take on a board, in bands, by the board's
 //! own counter: see `tests/measure/BOARDS.md`.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
