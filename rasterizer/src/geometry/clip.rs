@@ -62,6 +62,7 @@ impl ClipPlane {
     }
 
     /// The distance in 2^-32 units.
+    #[inline(never)]
     fn exact_distance<P: Projection, C: Coordinate, V>(
         self,
         vertex: &ClipVertex<C, V>,
@@ -186,26 +187,24 @@ fn exact_crossing<P: Projection, C: Coordinate, V: Varyings>(
     let t = divide((inside_distance >> drop) << 30, length >> drop).min(1 << 30);
     let between =
         |a: C, b: C| C::from_bits(a.to_bits() + mul_wide_q30(b.to_bits() - a.to_bits(), t as i32));
-    let varyings = inside.varyings.lerp(outside.varyings, t as u32);
-    let near = ClipVertex {
+    let mut vertex = ClipVertex {
         x: between(inside.x, outside.x),
         y: between(inside.y, outside.y),
         z: between(inside.z, outside.z),
-        varyings,
+        varyings: inside.varyings.lerp(outside.varyings, t as u32),
     };
     // The rest of the way, as a part of the edge in Q60. An edge of two units has none.
-    let rest = plane.exact_distance(&near, transform).clamp(-(1 << 34), 1 << 34);
+    let rest = plane.exact_distance(&vertex, transform).clamp(-(1 << 34), 1 << 34);
     let t = if length >> 33 == 0 { 0 } else { divide(rest << 27, length >> 33) };
     let t = t.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
-    let nearer = |c: C, a: C, b: C| {
-        C::from_bits(c.to_bits() + (mul_wide_q30((b.to_bits() - a.to_bits()) >> 8, t) >> 22))
+    let nearer = |c: &mut C, a: C, b: C| {
+        let way = (b.to_bits() - a.to_bits()) >> 8;
+        *c = C::from_bits(c.to_bits() + (mul_wide_q30(way, t) >> 22));
     };
-    ClipVertex {
-        x: nearer(near.x, inside.x, outside.x),
-        y: nearer(near.y, inside.y, outside.y),
-        z: nearer(near.z, inside.z, outside.z),
-        varyings,
-    }
+    nearer(&mut vertex.x, inside.x, outside.x);
+    nearer(&mut vertex.y, inside.y, outside.y);
+    nearer(&mut vertex.z, inside.z, outside.z);
+    vertex
 }
 
 #[cfg(test)]
