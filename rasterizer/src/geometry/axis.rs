@@ -76,8 +76,9 @@ impl Axis {
 
     /// Moves the anchor by a length along an axis of the object.
     #[inline(never)]
-    const fn advance(&mut self, column: usize, length: i64) {
-        self.way = self.way.wrapping_add(mul_q60(length, self.direction[column]));
+    fn advance(&mut self, column: usize, length: i64) {
+        let direction = self.direction.get(column).copied().unwrap_or_default();
+        self.way = self.way.wrapping_add(mul_q60(length, direction));
     }
 }
 
@@ -163,7 +164,8 @@ impl Grid {
             let quanta = Float::new(to_eye, -FRACTION_BITS).over(self.quantum).in_units_of(0);
             let [min, max] = [mesh.bounds().min, mesh.bounds().max]
                 .map(|c| i32::from(c[column]) << mesh.spare_bits());
-            *anchor = quanta.clamp(min, max);
+            // Not by `clamp`, which panics if the ends are exchanged.
+            *anchor = quanta.max(min).min(max);
         }
         for axis in axes {
             for (column, &quanta) in anchor.iter().enumerate() {

@@ -14,7 +14,7 @@ use super::{
 };
 use crate::{
     attribute::{Varyings, lerp},
-    numbers::{Coordinate, Divisor, mul_wide_q30},
+    numbers::{Coordinate, Divisor, mul_q60, mul_wide_q30},
 };
 
 /// A triangle has three corners, and each of the six planes adds one at most.
@@ -62,7 +62,6 @@ impl ClipPlane {
     }
 
     /// The distance in 2^-32 units.
-    #[inline(never)]
     fn exact_distance<P: Projection, C: Coordinate, V>(
         self,
         vertex: &ClipVertex<C, V>,
@@ -168,8 +167,7 @@ fn crossing<C: Coordinate, V: Varyings>(
     }
 }
 
-/// The same for coordinates with a fraction, in two steps: to a 2^29th of the edge, and from there
-/// to a 2^58th.
+/// The same for coordinates with a fraction, at a place on the edge that is known to a 2^57th.
 #[cold]
 #[inline(never)]
 fn exact_crossing<P: Projection, C: Coordinate, V: Varyings>(
@@ -179,32 +177,25 @@ fn exact_crossing<P: Projection, C: Coordinate, V: Varyings>(
     transform: &Transform<P>,
 ) -> ClipVertex<C, V> {
     // Whole units told on which side they are; a fraction may tell otherwise.
-    let inside_distance = plane.exact_distance(inside, transform).max(0);
-    let length = inside_distance.abs_diff(plane.exact_distance(outside, transform).min(-1));
-    let divide = |dividend: i64, divisor: u64| Divisor::new(divisor.max(1)).divide(dividend).0;
-    // Both with as many bits as let the dividend fit.
+    let distance = plane.exact_distance(inside, transform).max(0);
+    let length = distance.saturating_sub(plane.exact_distance(outside, transform).min(-1));
+    let divide = |dividend: i64, divisor: i64| {
+        Divisor::new(divisor.max(1).cast_unsigned()).divide(dividend).0
+    };
+    // The upper 30 bits of the quotient in Q60, from as many bits of both as let it fit.
     let drop = 33u32.saturating_sub(length.leading_zeros());
-    let t = divide((inside_distance >> drop) << 30, length >> drop).min(1 << 30);
-    let between =
-        |a: C, b: C| C::from_bits(a.to_bits() + mul_wide_q30(b.to_bits() - a.to_bits(), t as i32));
-    let mut vertex = ClipVertex {
+    let upper = divide((distance >> drop) << 30, length >> drop).min(1 << 30);
+    // The others from what is left, at most 2^35. An edge of less than two units has none.
+    let rest = distance - mul_wide_q30(length, upper as i32);
+    let lower = if length >> 33 == 0 { 0 } else { divide(rest << 27, length >> 33) };
+    let t = ((upper << 30) + lower).clamp(0, 1 << 60);
+    let between = |a: C, b: C| C::from_bits(a.to_bits() + mul_q60(b.to_bits() - a.to_bits(), t));
+    ClipVertex {
         x: between(inside.x, outside.x),
         y: between(inside.y, outside.y),
         z: between(inside.z, outside.z),
-        varyings: inside.varyings.lerp(outside.varyings, t as u32),
-    };
-    // The rest of the way, as a part of the edge in Q60. An edge of two units has none.
-    let rest = plane.exact_distance(&vertex, transform).clamp(-(1 << 34), 1 << 34);
-    let t = if length >> 33 == 0 { 0 } else { divide(rest << 27, length >> 33) };
-    let t = t.clamp(i32::MIN.into(), i32::MAX.into()) as i32;
-    let nearer = |c: &mut C, a: C, b: C| {
-        let way = (b.to_bits() - a.to_bits()) >> 8;
-        *c = C::from_bits(c.to_bits() + (mul_wide_q30(way, t) >> 22));
-    };
-    nearer(&mut vertex.x, inside.x, outside.x);
-    nearer(&mut vertex.y, inside.y, outside.y);
-    nearer(&mut vertex.z, inside.z, outside.z);
-    vertex
+        varyings: inside.varyings.lerp(outside.varyings, upper as u32),
+    }
 }
 
 #[cfg(test)]
@@ -327,8 +318,7 @@ mod tests {
         assert!(worst <= 2.0, "{worst}");
     }
 
-    /// With a fraction: within a 2^57th of the edge, and what the two steps round, against exact
-    /// rationals.
+    /// With a fraction: within a 2^57th of the edge, against exact rationals.
     #[test]
     fn cut_corners_with_a_fraction_are_on_the_edge() {
         let transform = transform::<S8>();

@@ -139,7 +139,8 @@ impl Rotation {
         let mut sum = 0;
         for (row, &v) in self.rows.iter().zip(v) {
             codegen::keep_rolled();
-            sum += i64::from(row[column].to_bits()) * i64::from(v);
+            let c = row.get(column).copied().unwrap_or_default();
+            sum += i64::from(c.to_bits()) * i64::from(v);
         }
         sum
     }
