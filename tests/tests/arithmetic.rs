@@ -30,8 +30,8 @@ fn sweep(path: &std::path::Path) {
                     size,
                     distance,
                     near: 0.02,
-                    yaw_degrees: 77.0 * (turn % 4) as f64 + 5.0,
-                    pitch_degrees: 31.0 * (turn % 4) as f64,
+                    yaw_degrees: 77.0 * turn as f64 + 5.0,
+                    pitch_degrees: 31.0 * turn as f64,
                     subpixel,
                     depth,
                     shading,
@@ -64,10 +64,12 @@ fn judge(model: &Model, view: &View) -> usize {
         }
     };
     assert!(
-        outcome.arithmetic.is_within(&Bounds::ARITHMETIC),
-        "{}: {:#?}\n{view:#?}",
+        outcome.is_within(&Bounds::ARITHMETIC),
+        "{}: {:#?}\n{:#?}\n{:#?}\n{view:#?}",
         model.name,
-        outcome.arithmetic
+        outcome.arithmetic,
+        outcome.end_to_end.vertices,
+        outcome.places
     );
     // Snapping moves a vertex by up to half a sub-pixel, the transform by up to another eighth.
     let error =
