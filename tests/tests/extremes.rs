@@ -251,3 +251,27 @@ fn a_vast_floor_reaches_from_the_feet_to_the_horizon() {
         assert!((0..320).all(|x| counts.at(x, y) == expected), "row {y}");
     }
 }
+
+/// Objects in a world of 20,000 units with a near plane of 0.05: S4 has no range for those that
+/// come near, and draws or leaves out all others, wherever the camera looks.
+#[test]
+fn what_is_out_of_view_is_not_refused() {
+    let cube = Surface::cube(16_384, 1).scaled(-14);
+    let mesh = cube.mesh();
+    let lens =
+        Perspective::new(Turn::degrees(60), Distance::lit("0.05"), Distance::lit("30000")).unwrap();
+    let (mut drawn, mut left_out) = (0, 0);
+    for yaw in (0..360).step_by(15) {
+        let rotation = Rotation::about_y(Turn::degrees(yaw));
+        let camera = Camera::at(Vec3::ZERO, rotation, lens, area(0, 0, 320, 240)).unwrap();
+        for (x, z) in [(9000, 0), (-40, 7000), (300, -9999), (-5, -3), (0, 150), (9999, 9999)] {
+            let at = Vec3::from_bits([x << 16, 0, z << 16]);
+            let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(Pose::IDENTITY.at(at));
+            let mut storage = vec![Placed::<S4>::EMPTY; mesh.vertex_count()];
+            let seen = object.project(&camera, &mut storage).unwrap();
+            let count = if seen.is_outside_view() { &mut left_out } else { &mut drawn };
+            *count += 1;
+        }
+    }
+    assert!(drawn > 20 && left_out > 80, "{drawn} {left_out}");
+}

@@ -52,7 +52,8 @@ impl Default for Pose {
 /// A vertex is placed within 5/8 of a sub-pixel of where exact arithmetic on the tables, the pose
 /// and the camera puts it: half for snapping, an eighth for arithmetic. (In the last sub-pixel of
 /// the guard band, 1,024 pixels to the right of or below the viewport's middle, one more.) An
-/// object for which 32-bit products cannot promise that is refused.
+/// object for which 32-bit products cannot promise that is refused, unless nothing of it is in the
+/// view (which [`ClipNone`](super::ClipNone) does not find out).
 ///
 /// With f the focal length over 1,024 pixels, let h be the largest |coordinate| of the mesh's
 /// positions, in world units; let m be the largest of |x| f, |y| f and |z| that a point within

@@ -40,6 +40,8 @@ pub(crate) struct Transform<P: Projection> {
     pub(super) lens: P::Lens,
     /// By how many bits positions are shifted up.
     position_shift: u32,
+    /// Whether numbers fit, so that the planes beyond which an object lies are known.
+    is_in_range: bool,
     /// Whether all vertices in front of the near plane are placed as exactly as promised.
     is_exact: bool,
     /// The viewport's middle in half pixels.
@@ -97,7 +99,7 @@ impl<P: Projection> Transform<P> {
             // most if w is this large. So do the steps of the way, eight of which it is off by.
             let step = across.magnitude().max(deep.magnitude()) - axis::FRACTION_BITS - units.xy;
             let bits = (step + 18).max(16) + S::BITS as i32;
-            let is_exact = is_in_range && bits < 31 && least_w >> bits != 0;
+            let is_exact = bits < 31 && least_w >> bits != 0;
             if is_exact || is_moved || !S::Coordinate::HAS_FRACTION {
                 break Self {
                     x: Row::new::<S::Coordinate>(&x_axis, &grid, units.xy),
@@ -107,6 +109,7 @@ impl<P: Projection> Transform<P> {
                     far,
                     lens,
                     position_shift: mesh.spare_bits() + <Row>::POSITION_SHIFT,
+                    is_in_range,
                     is_exact,
                     center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
                 };
@@ -128,15 +131,17 @@ impl<P: Projection> Transform<P> {
             far: self.far,
             lens: self.lens,
             position_shift: self.position_shift,
+            is_in_range: self.is_in_range,
             is_exact: self.is_exact,
             center: self.center,
         }
     }
 
-    /// Checks that the object fits the projection's number range. Call this first: no other method
-    /// is valid until it succeeds.
-    pub(crate) const fn check(&self) -> Result<(), PoseError> {
-        if self.is_exact { Ok(()) } else { Err(PoseError) }
+    /// Checks that the object fits the number range. Call this first: no other method but
+    /// [`is_outside_view`](Self::is_outside_view) is valid until it succeeds. An object that is
+    /// outside the view need not be exact.
+    pub(crate) const fn check(&self, is_outside_view: bool) -> Result<(), PoseError> {
+        if self.is_in_range && (self.is_exact || is_outside_view) { Ok(()) } else { Err(PoseError) }
     }
 
     /// A position of the mesh in clip space.

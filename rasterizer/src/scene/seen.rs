@@ -66,7 +66,7 @@ impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     /// Checks that the object fits the camera's number range. Call this first: no other method is
     /// valid until it succeeds.
     pub(super) const fn check(&self) -> Result<(), PoseError> {
-        self.transform.check()
+        self.transform.check(self.is_outside_view)
     }
 
     /// The same with vertices from elsewhere.
