@@ -69,7 +69,7 @@ impl<C: Copy> PixelFill<C> {
     }
 }
 
-/// Fills by words of two pixels, in 0.3 to 0.6 instructions a pixel if a run is long: for colours
+/// Fills by words of two pixels, in 0.5 to 0.6 instructions a pixel if a run is long: for colours
 /// of 16 bits that are plain data and lie where a `u16` may. Others do not compile.
 #[derive(Clone, Copy, Debug)]
 pub struct WordFill<C> {
