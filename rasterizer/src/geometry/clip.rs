@@ -5,6 +5,8 @@
 //! so that two triangles that share an edge get the same one, and is then moved exactly onto the
 //! plane.
 
+use core::ops::{Add, Sub};
+
 use heapless::Vec;
 
 use super::{
@@ -41,19 +43,17 @@ const PLANES: [ClipPlane; 6] = [
 ];
 
 impl ClipPlane {
-    /// The distance of a vertex from the plane, negative outside, in a unit of the plane. No
-    /// coordinate reaches 2^30.
-    #[inline(never)]
-    fn distance<P: Projection, C: Coordinate, V>(
+    /// The distance of a place from the plane, negative outside, in units of the place.
+    #[inline(always)]
+    fn difference<T: Add<Output = T> + Sub<Output = T>>(
         self,
-        vertex: &ClipVertex<C, V>,
-        transform: &Transform<P>,
-    ) -> i32 {
-        let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(C::units);
-        let w = transform.lens.w(z);
+        [x, y, z]: [T; 3],
+        w: T,
+        [near, far]: [T; 2],
+    ) -> T {
         match self {
-            Self::Near => z - transform.near,
-            Self::Far => transform.far - z,
+            Self::Near => z - near,
+            Self::Far => far - z,
             Self::Left => w + x,
             Self::Right => w - x,
             Self::Top => w + y,
@@ -61,22 +61,27 @@ impl ClipPlane {
         }
     }
 
-    /// The distance in 2^-32 units.
+    /// The distance of a vertex by its whole units, which tell on which side it is. No coordinate
+    /// reaches 2^30.
+    #[inline(never)]
+    fn distance<P: Projection, C: Coordinate, V>(
+        self,
+        vertex: &ClipVertex<C, V>,
+        transform: &Transform<P>,
+    ) -> i32 {
+        let place = [vertex.x, vertex.y, vertex.z].map(C::units);
+        self.difference(place, transform.lens.w(place[2]), [transform.near, transform.far])
+    }
+
+    /// The distance in the digits that a coordinate keeps.
     fn exact_distance<P: Projection, C: Coordinate, V>(
         self,
         vertex: &ClipVertex<C, V>,
         transform: &Transform<P>,
     ) -> i64 {
-        let [x, y, z] = [vertex.x, vertex.y, vertex.z].map(C::to_bits);
-        let w = transform.lens.exact_w(z);
-        match self {
-            Self::Near => z - (i64::from(transform.near) << 32),
-            Self::Far => (i64::from(transform.far) << 32) - z,
-            Self::Left => w + x,
-            Self::Right => w - x,
-            Self::Top => w + y,
-            Self::Bottom => w - y,
-        }
+        let place = [vertex.x, vertex.y, vertex.z].map(C::to_bits);
+        let depths = [transform.near, transform.far].map(|units| C::new(units, 0).to_bits());
+        self.difference(place, transform.lens.w(vertex.z).to_bits(), depths)
     }
 
     /// Moves a new vertex, which is rounded, exactly onto the plane.
@@ -85,20 +90,14 @@ impl ClipPlane {
         vertex: &mut ClipVertex<C, V>,
         transform: &Transform<P>,
     ) {
-        let w = |z: C| {
-            if C::HAS_FRACTION {
-                transform.lens.exact_w(z.to_bits())
-            } else {
-                transform.lens.w(z.units()).into()
-            }
-        };
+        let w = transform.lens.w(vertex.z).to_bits();
         match self {
             Self::Near => vertex.z = C::new(transform.near, 0),
             Self::Far => vertex.z = C::new(transform.far, 0),
-            Self::Left => vertex.x = C::from_bits(-w(vertex.z)),
-            Self::Right => vertex.x = C::from_bits(w(vertex.z)),
-            Self::Top => vertex.y = C::from_bits(-w(vertex.z)),
-            Self::Bottom => vertex.y = C::from_bits(w(vertex.z)),
+            Self::Left => vertex.x = C::from_bits(-w),
+            Self::Right => vertex.x = C::from_bits(w),
+            Self::Top => vertex.y = C::from_bits(-w),
+            Self::Bottom => vertex.y = C::from_bits(w),
         }
     }
 }

@@ -64,10 +64,7 @@ pub(crate) trait Lens: Copy + core::fmt::Debug {
     fn least_w(&self, z: i32) -> i32;
 
     /// The divisor of x and y: over 0 and below 2^30 for a z from the near plane on.
-    fn w(&self, z: i32) -> i32;
-
-    /// The same in 2^-32 units.
-    fn exact_w(&self, z: i64) -> i64;
+    fn w<C: Coordinate>(&self, z: C) -> C;
 
     /// 1 / 2 w.
     fn reciprocal_of_twice_w<C: Coordinate>(&self, z: C) -> Reciprocal;
@@ -145,11 +142,7 @@ impl Lens for PerspectiveLens {
     }
 
     #[inline(always)]
-    fn w(&self, z: i32) -> i32 {
-        z
-    }
-
-    fn exact_w(&self, z: i64) -> i64 {
+    fn w<C: Coordinate>(&self, z: C) -> C {
         z
     }
 
@@ -228,12 +221,8 @@ impl Lens for OrthographicLens {
     }
 
     #[inline(always)]
-    fn w(&self, _: i32) -> i32 {
-        self.w
-    }
-
-    fn exact_w(&self, _: i64) -> i64 {
-        i64::from(self.w) << 32
+    fn w<C: Coordinate>(&self, _: C) -> C {
+        C::new(self.w, 0)
     }
 
     #[inline(always)]
