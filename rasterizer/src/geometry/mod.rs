@@ -13,9 +13,9 @@
 //! triangles that touch it go back to clip space and are cut there (clip). All other triangles are
 //! never clipped: what lies beyond the viewport costs the rasterizer nothing.
 
-mod axis;
 mod clip;
 mod lens;
+mod placement;
 mod pose;
 mod row;
 mod screen;

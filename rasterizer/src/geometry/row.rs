@@ -1,7 +1,7 @@
 //! The rows of the matrix from object space to clip space: computed once a frame, applied to each
 //! vertex.
 
-use super::axis::{Axis, Grid};
+use super::placement::{Axis, Grid};
 use crate::{
     mesh::Mesh,
     numbers::{Coordinate, Float, IS_NARROW, codegen::keep_rolled, mul_wide_q30, shifted},

@@ -2,8 +2,8 @@
 
 use super::{
     Pose, PoseError, Projection, ScreenVertex,
-    axis::{self, Axis, Grid},
     lens::{Lens, Reach},
+    placement::{self, Axis, Grid},
     row::Row,
     screen::GUARD_BITS,
 };
@@ -66,7 +66,7 @@ impl<P: Projection> Transform<P> {
         let (mut x_axis, mut y_axis, mut z_axis) =
             (axis(0, across), axis(1, across), axis(2, deep));
         let mut grid = Grid::new(pose, mesh);
-        let mut is_in_range = axis::is_offset_in_range(pose, offset);
+        let mut is_in_range = placement::is_offset_in_range(pose, offset);
         let mut is_moved = false;
         let mut reach = z_axis.reach(&grid);
         reach.mantissa = -reach.mantissa;
@@ -97,7 +97,8 @@ impl<P: Projection> Transform<P> {
             // rounding the translation and the sum, the rest for the 31 bits of lengths; with a
             // fraction by 3.5. That much of x and of w move a vertex by an eighth of a sub-pixel at
             // most if w is this large. So do the steps of the way, eight of which it is off by.
-            let step = across.magnitude().max(deep.magnitude()) - axis::FRACTION_BITS - units.xy;
+            let step =
+                across.magnitude().max(deep.magnitude()) - placement::FRACTION_BITS - units.xy;
             let bits = (step + 18).max(16) + S::BITS as i32;
             let is_exact = bits < 31 && least_w >> bits != 0;
             if is_exact || is_moved || !S::Coordinate::HAS_FRACTION {

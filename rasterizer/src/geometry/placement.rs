@@ -1,4 +1,5 @@
-//! Where an object lies as seen from the camera, before projection.
+//! Where an object lies as seen from the camera, before projection: how far along the camera's axes
+//! (`Axis`), and on which grid of positions (`Grid`).
 
 use super::Pose;
 use crate::{
