@@ -132,6 +132,7 @@
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
+//! | [`texture`] | texels in flash: formats, borders, filters, mip levels |
 //! | [`geometry`] | object space to vertices on the screen: transform, clipping, culling |
 //! | [`raster`] | triangles to spans of fragments: edges, rows, gradients |
 //! | [`shade`] | the colours of fragments |
@@ -240,6 +241,7 @@ mod random;
 pub mod raster;
 pub mod scene;
 pub mod shade;
+pub mod texture;
 
 // Their types are part of this crate's signatures: name them through here, and they are the
 // versions that it is built with.
