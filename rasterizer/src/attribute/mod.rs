@@ -22,7 +22,7 @@ mod varyings;
 
 pub use depth::{DepthFormat, NoDepth};
 pub use float::FloatDepth;
-pub use interpolate::{Interpolate, Piece, Step, Whole};
-pub use plane::{Plane, QuickGradients, TriangleSetup};
+pub use interpolate::{Change, First, Interpolate, Piece, Step, Whole};
+pub use plane::{Field, Plane, QuickGradients, TriangleSetup};
 pub(crate) use varyings::lerp;
 pub use varyings::{InverseW, Varyings};
