@@ -189,6 +189,13 @@ impl<S: Subpixel> TriangleSetup<S> {
         }
     }
 
+    /// The plane of a number of 32 bits in Q32.32, with 18 digits behind the point, modulo 2^64.
+    #[inline(always)]
+    pub(super) fn wide_plane(&self, _: Option<QuickGradients>, corners: [u32; 3]) -> Plane<u64> {
+        let Plane { anchor, per_column, per_row } = self.exact_wide_plane(corners);
+        Plane { anchor: anchor << 14, per_column: per_column << 14, per_row: per_row << 14 }
+    }
+
     /// The columns and rows from the anchor to any covered pixel, together, at most.
     pub(super) fn reach(&self) -> u32 {
         let most = |[d1, d2]: [i32; 2]| d1.unsigned_abs().max(d2.unsigned_abs());
