@@ -260,7 +260,7 @@ mod tests {
         let map: Texture<Colors<'_, Gray8, 4>, 4, 1, X> = Texture::new(Colors::new(&GRAYS));
         // From half a texel before the seam to half a texel behind it.
         [-4, -2, 0, 2, 4].map(|eighth| {
-            sample::<Bilinear, _>(&map, &(), Place::new(ONE + eighth * (ONE / 32), 0)).luma()
+            sample::<Bilinear, _>(&map, &(), Place::new([ONE + eighth * (ONE / 32), 0])).luma()
         })
     }
 
@@ -297,7 +297,7 @@ mod tests {
                     ([x.floor(), y.floor()], [x - x.floor(), y - y.floor()]);
                 let line = |row| gray(left, row) * (1.0 - right) + gray(left + 1.0, row) * right;
                 let exact = line(upper) * (1.0 - down) + line(upper + 1.0) * down;
-                let got = sample::<Bilinear, _>(&map, &(), Place::new(u, v)).luma();
+                let got = sample::<Bilinear, _>(&map, &(), Place::new([u, v])).luma();
                 // Half a step, and 1/512 texel in both directions on a slope of at most 255.
                 assert!((f64::from(got) - exact).abs() <= 0.5 + 2.0 * 255.0 / 512.0, "{u} {v}");
             }
@@ -315,8 +315,8 @@ mod tests {
             [(0, true), (ONE / 2 - ONE / 64, true), (ONE / 2, false), (ONE, false)]
         {
             let wanted = is_opaque.then_some(Gray8::new(100));
-            assert_eq!(sample::<Bilinear, _>(&map, &(), Place::new(u, 0)), wanted, "{u}");
-            assert_eq!(sample::<Nearest, _>(&map, &(), Place::new(u, 0)), wanted, "{u}");
+            assert_eq!(sample::<Bilinear, _>(&map, &(), Place::new([u, 0])), wanted, "{u}");
+            assert_eq!(sample::<Nearest, _>(&map, &(), Place::new([u, 0])), wanted, "{u}");
         }
     }
 
@@ -338,7 +338,7 @@ mod tests {
     #[test]
     fn mip_levels_are_chosen_and_mixed() {
         let red = |color: Rgb565| color.r();
-        for place in [Place::new(0, 0), Place::new(-ONE / 3, 5 * ONE + 77)] {
+        for place in [Place::new([0, 0]), Place::new([-ONE / 3, 5 * ONE + 77])] {
             let at = |eighths: i32| {
                 let level = MipLevel::from_bits(eighths << 13);
                 [
@@ -366,7 +366,7 @@ mod tests {
         let face = <NearestMip<PerPixel> as Filter<_>>::face(&MAP, footprint);
         let at = |q32| {
             let inverse_w = InverseW::from_bits(q32);
-            NearestMip::<PerPixel>::sample(&MAP, &face, Place::new(0, 0), inverse_w, |index| {
+            NearestMip::<PerPixel>::sample(&MAP, &face, Place::new([0, 0]), inverse_w, |index| {
                 MAP.texels().texel(index)
             })
         };

@@ -142,12 +142,12 @@ impl<F: Table, const W: usize, const H: usize, X: Wrap, Y: Wrap> Mipmapped
 
     #[inline(always)]
     fn nearest_in(&self, place: Self::Place, level: u32) -> usize {
-        self.levels().grid(level).nearest::<X, Y>(place.coordinates())
+        self.levels().grid(level).nearest::<X, Y>(place.uv())
     }
 
     #[inline(always)]
     fn bilinear_in(&self, place: Self::Place, bits: u32, level: u32) -> Quad {
-        self.levels().grid(level).bilinear::<X, Y>(place.coordinates(), bits)
+        self.levels().grid(level).bilinear::<X, Y>(place.uv(), bits)
     }
 }
 
@@ -177,7 +177,7 @@ mod tests {
         type Map = Mipmaps<Colors<'static, u16, 21>, 4, 4, Repeat, Clamp>;
         let map: Map = Mipmaps::new(Colors::new(&[0; 21]));
         // In the last column and the second row.
-        let place = Place::new((1 << 24) - 1, 3 << 21);
+        let place = Place::new([(1 << 24) - 1, 3 << 21]);
         assert_eq!([0, 1, 2, 3].map(|level| map.nearest_in(place, level)), [7, 17, 20, 20]);
         let quad = map.bilinear_in(place, 4, 1);
         // Half-way between the level's columns, beyond the border; a quarter above row 1's centre.

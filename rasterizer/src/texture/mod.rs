@@ -38,31 +38,33 @@
 //! be made in linear light, as `host-tools` makes them.
 
 mod colors;
+mod coordinates;
 mod filter;
 mod footprint;
+mod grid;
 mod image;
 mod indexed;
 mod masked;
 mod mipmaps;
 mod mix;
-mod place;
 mod shaded;
 mod texel;
 mod texels;
 mod wrap;
 
 pub use colors::Colors;
+pub use coordinates::{CoordinateFormat, Coordinates, Place};
 pub use filter::{
     Bilinear, BilinearMip, Filter, LevelChoice, Nearest, NearestMip, PerPixel, PerTriangle,
     Trilinear,
 };
 pub use footprint::{Footprint, MipLevel, Slope};
+pub use grid::{Grid, Quad};
 pub use image::{ColorOf, TexelMap, TexelOf, Texture};
 pub use indexed::Indexed;
 pub use masked::{Keyed, Masked};
 pub use mipmaps::{Levels, Mipmapped, Mipmaps};
 pub use mix::Mix;
-pub use place::{Grid, Place, Quad};
 pub use shaded::{SHADES, Shaded};
 pub use texel::Texel;
 pub use texels::{Counts, LitTexels, StoredTexels, Table, Texels};

@@ -39,7 +39,7 @@ impl Side {
     }
 
     #[inline(always)]
-    const fn bits(self) -> u32 {
+    pub(super) const fn bits(self) -> u32 {
         self.bits as u32
     }
 
@@ -62,7 +62,7 @@ pub struct Pair {
 /// How a texture goes on beyond its borders along one axis: [`Repeat`], [`Mirror`] or [`Clamp`].
 ///
 /// Coordinates are in Q8.24 repeats.
-pub trait Wrap: Copy + sealed::Sealed {
+pub trait Wrap: Copy + core::fmt::Debug + sealed::Sealed {
     /// Whether sides may be of any length. Otherwise they are powers of two.
     const ANY_LENGTH: bool;
 

@@ -1,8 +1,6 @@
-//! Where on a texture a pixel lies.
+//! Which texels a place is on.
 
-use core::marker::PhantomData;
-
-use super::{Side, Wrap, wrap::FRACTION_BITS};
+use super::{Place, Side, Wrap};
 
 /// Texels on both sides of a place in both directions, between whose centres it lies.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,67 +62,14 @@ impl Grid {
     }
 }
 
-/// The place of a pixel on a texture of `W` x `H` texels that goes on beyond its borders like `X`
-/// and `Y`.
-///
-/// Where only fractions of a repeat matter, up to 256 x 256 texels, u and v share a word.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place<const W: usize, const H: usize, X, Y> {
-    /// u in Q8.24 repeats; or, if they are packed, v in the upper and u in the lower half, each the
-    /// fraction of a repeat in Q0.16.
-    u: i32,
-    /// v in Q8.24 repeats, or 0.
-    v: i32,
-    wrap: PhantomData<(X, Y)>,
-}
-
 impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Place<W, H, X, Y> {
-    /// Whether u and v share a word.
-    pub const PACKED: bool = X::IS_PERIODIC && Y::IS_PERIODIC && W <= 256 && H <= 256;
-
     const GRID: Grid = Grid::new(W, H);
-
-    /// From u and v in Q8.24 repeats.
-    #[inline(always)]
-    #[must_use]
-    pub const fn new(u: i32, v: i32) -> Self {
-        if Self::PACKED {
-            let drop = FRACTION_BITS - 16;
-            Self::packed(((v >> drop) as u32) << 16 | ((u >> drop) as u32 & 0xFFFF))
-        } else {
-            Self { u, v, wrap: PhantomData }
-        }
-    }
-
-    /// From the fractions of v, in the upper half, and of u in Q0.16 repeats. It is for types that
-    /// are [`PACKED`](Self::PACKED).
-    #[inline(always)]
-    #[must_use]
-    pub const fn packed(vu: u32) -> Self {
-        if Self::PACKED {
-            Self { u: vu as i32, v: 0, wrap: PhantomData }
-        } else {
-            Self::new(((vu & 0xFFFF) << 8) as i32, ((vu >> 16) << 8) as i32)
-        }
-    }
-
-    /// Returns u and v in Q8.24 repeats, or their fractions of a repeat.
-    #[inline(always)]
-    #[must_use]
-    pub const fn coordinates(self) -> [i32; 2] {
-        if Self::PACKED {
-            let vu = self.u as u32;
-            [((vu & 0xFFFF) << 8) as i32, ((vu >> 16) << 8) as i32]
-        } else {
-            [self.u, self.v]
-        }
-    }
 
     /// Returns the number of the texel that covers it.
     #[inline(always)]
     #[must_use]
     pub fn nearest(self) -> usize {
-        Self::GRID.nearest::<X, Y>(self.coordinates())
+        Self::GRID.nearest::<X, Y>(self.uv())
     }
 
     /// Returns the four texels between whose centres it lies, with fractions of `bits` binary
@@ -132,7 +77,7 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Place<W, H, X, Y> {
     #[inline(always)]
     #[must_use]
     pub fn bilinear(self, bits: u32) -> Quad {
-        Self::GRID.bilinear::<X, Y>(self.coordinates(), bits)
+        Self::GRID.bilinear::<X, Y>(self.uv(), bits)
     }
 }
 
@@ -148,7 +93,7 @@ mod tests {
     fn texels_are_numbered_along_rows_from_the_top() {
         let at = |u: f64, v: f64| {
             let [u, v] = [u, v].map(|c| (c * f64::from(1 << 24)).floor() as i32);
-            Place::<4, 3, Repeat, Clamp>::new(u, v)
+            Place::<4, 3, Repeat, Clamp>::new([u, v])
         };
         assert_eq!(at(0.0, 0.0).nearest(), 0);
         assert_eq!(at(0.999, 0.0).nearest(), 3);
@@ -163,14 +108,13 @@ mod tests {
     #[test]
     fn packed_places_are_like_wide_ones() {
         fn check<const W: usize, const H: usize>(u: i32, v: i32) {
-            let packed = Place::<W, H, Repeat, Repeat>::new(u, v);
-            const { assert!(Place::<W, H, Repeat, Repeat>::PACKED) };
+            let packed = Place::<W, H, Repeat, Repeat>::new([u, v]);
             let wide = Grid::new(W, H);
             assert_eq!(packed.nearest(), wide.nearest::<Repeat, Repeat>([u, v]));
             // What packing cuts off is below a quarter of a fraction's unit.
             let cut = [u, v].map(|c| c & !0xFF);
             assert_eq!(packed.bilinear(4), wide.bilinear::<Repeat, Repeat>(cut, 4));
-            assert_eq!(Place::<W, H, Repeat, Repeat>::packed(packed.u as u32), packed);
+            assert!(packed.uv().iter().all(|c| (0..1 << 24).contains(c)));
         }
         let mut random = Random::new(5);
         for _ in 0..100_000 {
@@ -183,22 +127,18 @@ mod tests {
     }
 
     #[test]
-    fn only_small_repeated_textures_are_packed() {
-        const {
-            assert!(!Place::<512, 8, Repeat, Repeat>::PACKED);
-            assert!(!Place::<8, 8, Repeat, Mirror>::PACKED);
-            assert!(!Place::<8, 8, Clamp, Repeat>::PACKED);
-        }
-        let place = Place::<512, 8, Repeat, Repeat>::packed(0x8000_4000);
-        assert_eq!(place.coordinates(), [1 << 22, 1 << 23]);
+    fn other_places_are_wide() {
+        let place = Place::<512, 8, Repeat, Repeat>::new([5 << 22, -1 << 23]);
+        assert_eq!(place.uv(), [5 << 22, -1 << 23]);
         assert_eq!(place.nearest(), 4 * 512 + 128);
+        assert_eq!(Place::<8, 8, Mirror, Repeat>::new([-1, 1 << 24]).uv(), [-1, 1 << 24]);
     }
 
     #[test]
     fn a_single_texel_is_everywhere() {
         fn check<X: Wrap, Y: Wrap>() {
             for c in [i32::MIN, -(1 << 30), -1, 0, 1, (1 << 23) - 1, 1 << 23, 1 << 30, i32::MAX] {
-                let place = Place::<1, 1, X, Y>::new(c, -(c >> 1));
+                let place = Place::<1, 1, X, Y>::new([c, -(c >> 1)]);
                 assert_eq!(place.nearest(), 0);
                 assert_eq!(place.bilinear(8).texels, [0; 4]);
             }
