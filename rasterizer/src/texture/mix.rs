@@ -37,18 +37,6 @@ const fn exact_weights<const BITS: u32>([right, down]: [u32; 2]) -> [u32; 4] {
     [(1 << (2 * BITS)) + both - right - down, right - both, down - both, both]
 }
 
-/// The weights of four colours for fractions of 4 binary digits, which sum to 32: the exact ones
-/// within half a unit.
-///
-/// The last is the product, rounded, and others what is left of their row and column. None is
-/// negative: the product of two numbers below 16, rounded to eighths, is at most twice the lesser
-/// one, and at least twice the sum less 32.
-#[inline(always)]
-const fn short_weights([right, down]: [u32; 2]) -> [u32; 4] {
-    let both = (right * down + 4) >> 3;
-    [32 + both - 2 * right - 2 * down, 2 * right - both, 2 * down - both, both]
-}
-
 /// A sum of channels times weights that sum to 2<sup>`BITS`</sup>, rounded to the nearest.
 #[inline(always)]
 const fn weighted<const BITS: u32>(channels: [u8; 4], weights: [u32; 4]) -> u8 {
@@ -141,23 +129,38 @@ impl Spread {
         (bits as u32 | (bits as u32) << 16) & self.mask
     }
 
-    /// The upper five bits of each channel's room left out, rounded, and the channels joined.
+    /// The channels of sums with five digits behind the point, which are cut off.
     #[inline(always)]
     const fn joined(self, sums: u32) -> u16 {
-        let channels = ((sums + self.half) >> 5) & self.mask;
+        let channels = (sums >> 5) & self.mask;
         (channels | channels >> 16) as u16
     }
 
+    /// With r and d for fractions to the right and downwards of 4 binary digits and w = r d / 8,
+    /// rounded, the weights of 32 are
+    ///
+    /// ```text
+    ///   32 - 2 r - 2 d + w,  2 r - w,  2 d - w,  w
+    /// ```
+    ///
+    /// They sum to 32, are within half a unit of the exact ones, and none is negative: w is at most
+    /// twice the lesser fraction, and at least twice their sum less 32. The sum is computed with
+    /// differences of colours, modulo 2<sup>32</sup>; what they borrow between channels cancels.
     #[inline(always)]
-    const fn mixed(self, [a, b, c, d]: [u16; 4], fractions: [u32; 2]) -> u16 {
-        let [wa, wb, wc, wd] = short_weights(fractions);
-        let sum = self.spread(a) * wa + self.spread(b) * wb;
-        self.joined(sum + self.spread(c) * wc + self.spread(d) * wd)
+    const fn mixed(self, [a, b, c, d]: [u16; 4], [right, down]: [u32; 2]) -> u16 {
+        let both = (right * down + 4) >> 3;
+        let (a, b, c, d) = (self.spread(a), self.spread(b), self.spread(c), self.spread(d));
+        let across = b.wrapping_sub(a);
+        let bend = d.wrapping_sub(c).wrapping_sub(across);
+        let half_sum = ((a << 4) + self.half / 2)
+            .wrapping_add(across.wrapping_mul(right))
+            .wrapping_add(c.wrapping_sub(a).wrapping_mul(down));
+        self.joined((half_sum << 1).wrapping_add(bend.wrapping_mul(both)))
     }
 
     #[inline(always)]
     const fn lit(self, bits: u16, level: u32) -> u16 {
-        self.joined(self.spread(bits) * level)
+        self.joined(self.spread(bits) * level + self.half)
     }
 }
 
@@ -213,6 +216,12 @@ mod tests {
 
     fn all_fractions(bits: u32) -> impl Iterator<Item = [u32; 2]> {
         (0..1 << bits).flat_map(move |right| (0..1 << bits).map(move |down| [right, down]))
+    }
+
+    /// The weights of four colours of 15 and 16 bits, by their definition.
+    fn short_weights([right, down]: [u32; 2]) -> [u32; 4] {
+        let both = (right * down + 4) / 8;
+        [32 + both - 2 * right - 2 * down, 2 * right - both, 2 * down - both, both]
     }
 
     #[test]
