@@ -57,7 +57,8 @@ impl Shader for Perforated {
     }
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 3] {
-        let [u, v] = vertex.texture_coordinates();
+        // 15 bits behind the binary point: 1 fits 16 bits.
+        let [u, v] = vertex.texture_coordinates().map(|c| (c >> 9) as u16);
         [Ramp::<Rgb565, 64>::varying(self.0.level(vertex.normal())), u, v]
     }
 
