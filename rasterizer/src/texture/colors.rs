@@ -68,6 +68,11 @@ impl<C: Mix, const N: usize> LitTexels for Colors<'_, C, N> {
     fn after_light(color: C, light: u32) -> C {
         color.lit(light)
     }
+
+    #[inline(always)]
+    fn plain(color: C, light: u32) -> C {
+        color.lit(light)
+    }
 }
 
 /// An element of a table that is not empty. Indices past the end are wrapped or clamped, so that

@@ -34,6 +34,11 @@ impl<T, const W: usize, const H: usize, X, Y> Coordinates<T, W, H, X, Y> {
     pub const fn new(uv: [T; 2]) -> Self {
         Self { uv, wrap: PhantomData }
     }
+
+    #[inline(always)]
+    pub(super) fn vertex_uv(self) -> [T; 2] {
+        self.uv
+    }
 }
 
 /// The format of a mesh's texture coordinates: `i16`, Q2.14, or `i32`, Q8.24.

@@ -1,23 +1,24 @@
 //! Which texels make the colour of a pixel.
 
-use core::marker::PhantomData;
-
 use super::{
     ColorOf, Footprint, Grid, MipLevel, Mipmapped, Mix, Texel as _, TexelMap, TexelOf,
-    footprint::Slope,
+    TextureVarying, WithInverseW, footprint::Slope,
 };
 use crate::attribute::InverseW;
 
 /// How the colour of a pixel is made of texels: [`Nearest`], [`Bilinear`], and with mip levels
 /// [`NearestMip`], [`BilinearMip`] and [`Trilinear`].
 pub trait Filter<T: TexelMap>: Copy {
+    /// Coordinates, with near / w beside them if the filter takes it.
+    type Coordinates<V: TextureVarying>: TextureVarying<Sample = V::Sample> + From<V>;
     /// What is computed once a triangle.
     type Face: Copy + Default;
 
     /// Computes it. `footprint` is called by filters that take mip levels.
     fn face(map: &T, footprint: impl FnOnce() -> Footprint) -> Self::Face;
 
-    /// Returns the texel of a pixel. `fetch` gets a texel by its number.
+    /// Returns the texel of a pixel by its place and near / w, which is not read unless it is
+    /// beside the [`Coordinates`](Self::Coordinates). `fetch` gets a texel by its number.
     fn sample(
         map: &T,
         face: &Self::Face,
@@ -32,6 +33,7 @@ pub trait Filter<T: TexelMap>: Copy {
 pub struct Nearest;
 
 impl<T: TexelMap> Filter<T> for Nearest {
+    type Coordinates<V: TextureVarying> = V;
     type Face = ();
 
     #[inline(always)]
@@ -61,6 +63,7 @@ impl<T: TexelMap> Filter<T> for Bilinear
 where
     ColorOf<T>: Mix,
 {
+    type Coordinates<V: TextureVarying> = V;
     type Face = ();
 
     #[inline(always)]
@@ -93,6 +96,8 @@ where
 
 /// Where a mip level is chosen: [`PerTriangle`] or [`PerPixel`].
 pub trait LevelChoice: Copy + sealed::Sealed {
+    /// Coordinates, with near / w beside them for a level at each pixel.
+    type Coordinates<V: TextureVarying>: TextureVarying<Sample = V::Sample> + From<V>;
     /// What the level of a pixel is computed from.
     type Face: Copy + Default;
 
@@ -115,6 +120,7 @@ mod sealed {
 pub struct PerTriangle;
 
 impl LevelChoice for PerTriangle {
+    type Coordinates<V: TextureVarying> = V;
     type Face = MipLevel;
 
     #[inline(always)]
@@ -133,6 +139,7 @@ impl LevelChoice for PerTriangle {
 pub struct PerPixel;
 
 impl LevelChoice for PerPixel {
+    type Coordinates<V: TextureVarying> = WithInverseW<V>;
     type Face = Slope;
 
     #[inline(always)]
@@ -148,19 +155,20 @@ impl LevelChoice for PerPixel {
 
 /// The texel that the pixel's centre lies on, of the nearest mip level.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct NearestMip<L = PerTriangle>(PhantomData<L>);
+pub struct NearestMip<L = PerTriangle>(pub L);
 
 /// Four texels of the nearest mip level, mixed like [`Bilinear`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct BilinearMip<L = PerTriangle>(PhantomData<L>);
+pub struct BilinearMip<L = PerTriangle>(pub L);
 
 /// Four texels each of the two mip levels round the pixel's own, mixed like [`Bilinear`], and both
 /// mixed by how near they are, with as many digits as the fractions. Of transparent texels, the
 /// nearer level decides.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Trilinear<L = PerTriangle>(PhantomData<L>);
+pub struct Trilinear<L = PerTriangle>(pub L);
 
 impl<T: Mipmapped, L: LevelChoice> Filter<T> for NearestMip<L> {
+    type Coordinates<V: TextureVarying> = L::Coordinates<V>;
     type Face = L::Face;
 
     #[inline(always)]
@@ -185,6 +193,7 @@ impl<T: Mipmapped, L: LevelChoice> Filter<T> for BilinearMip<L>
 where
     ColorOf<T>: Mix,
 {
+    type Coordinates<V: TextureVarying> = L::Coordinates<V>;
     type Face = L::Face;
 
     #[inline(always)]
@@ -209,6 +218,7 @@ impl<T: Mipmapped, L: LevelChoice> Filter<T> for Trilinear<L>
 where
     ColorOf<T>: Mix,
 {
+    type Coordinates<V: TextureVarying> = L::Coordinates<V>;
     type Face = L::Face;
 
     #[inline(always)]

@@ -93,7 +93,7 @@ impl Grid {
     }
 }
 
-/// Half a texel less half a unit of a fraction of so many bits, in Q0.16 repeats.
+/// Half a texel less half a unit of a fraction of `bits` binary digits, in Q0.16 repeats.
 const fn half_texel(side: u32, bits: u32) -> u32 {
     let texel = 1 << (16 - side);
     texel / 2 - (texel >> (bits + 1))

@@ -2,7 +2,10 @@
 
 use core::marker::PhantomData;
 
-use super::{MAX_SIDE, Place, Quad, Repeat, Table, Texels, Wrap};
+use super::{
+    CoordinateFormat, Coordinates, MAX_SIDE, Place, Quad, Repeat, Table, Texels, TextureVarying,
+    Wrap,
+};
 
 /// A texture, with or without mip levels: its texels, and which of them a place is on.
 pub trait TexelMap: Copy {
@@ -10,6 +13,11 @@ pub trait TexelMap: Copy {
     type Texels: Texels;
     /// The place of a pixel.
     type Place: Copy;
+    /// The coordinates of a vertex, in a mesh's format.
+    type Coordinates<C: CoordinateFormat>: TextureVarying<Sample = Self::Place>;
+
+    /// Returns the coordinates of a vertex.
+    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C>;
 
     /// Returns the texels.
     fn texels(&self) -> &Self::Texels;
@@ -97,6 +105,12 @@ impl<F: Table, const W: usize, const H: usize, X: Wrap, Y: Wrap> TexelMap
 {
     type Texels = F;
     type Place = Place<W, H, X, Y>;
+    type Coordinates<C: CoordinateFormat> = Coordinates<C, W, H, X, Y>;
+
+    #[inline(always)]
+    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C> {
+        Coordinates::new(uv)
+    }
 
     #[inline(always)]
     fn texels(&self) -> &F {

@@ -136,6 +136,11 @@ impl<C: Mix, const BITS: usize, const BYTES: usize, const COLORS: usize> LitTexe
     fn after_light(color: C, light: u32) -> C {
         color.lit(light)
     }
+
+    #[inline(always)]
+    fn plain(color: C, light: u32) -> C {
+        color.lit(light)
+    }
 }
 
 #[cfg(test)]

@@ -63,6 +63,11 @@ impl<F: StoredTexels + LitTexels> LitTexels for Keyed<F> {
     fn after_light(color: F::Color, light: F::Light) -> F::Color {
         F::after_light(color, light)
     }
+
+    #[inline(always)]
+    fn plain(color: F::Color, light: F::Light) -> F::Color {
+        F::plain(color, light)
+    }
 }
 
 /// Texels with an alpha plane of `BITS` bits, 1, 4 or 8 (or 2), in `BYTES` bytes, packed like
@@ -155,6 +160,11 @@ impl<F: LitTexels<Texel = <F as Texels>::Color>, const BITS: usize, const BYTES:
     #[inline(always)]
     fn after_light(color: F::Color, light: F::Light) -> F::Color {
         F::after_light(color, light)
+    }
+
+    #[inline(always)]
+    fn plain(color: F::Color, light: F::Light) -> F::Color {
+        F::plain(color, light)
     }
 }
 

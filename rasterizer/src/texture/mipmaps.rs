@@ -2,7 +2,10 @@
 
 use core::marker::PhantomData;
 
-use super::{Grid, MAX_SIDE, Place, Quad, Repeat, Side, Table, TexelMap, Wrap, image::check_sides};
+use super::{
+    CoordinateFormat, Coordinates, Grid, MAX_SIDE, Place, Quad, Repeat, Side, Table, TexelMap,
+    Wrap, image::check_sides,
+};
 
 /// The most levels that a texture can have: of 1,024 texels down to 1.
 pub(super) const MAX_LEVELS: usize = MAX_SIDE.ilog2() as usize + 1;
@@ -115,6 +118,12 @@ impl<F: Table, const W: usize, const H: usize, X: Wrap, Y: Wrap> TexelMap
 {
     type Texels = F;
     type Place = Place<W, H, X, Y>;
+    type Coordinates<C: CoordinateFormat> = Coordinates<C, W, H, X, Y>;
+
+    #[inline(always)]
+    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C> {
+        Coordinates::new(uv)
+    }
 
     #[inline(always)]
     fn texels(&self) -> &F {

@@ -1,6 +1,6 @@
 //! Texels with a table of their colours in each light.
 
-use super::{Counts, LitTexels, StoredTexels, Table, Texels, colors::at, indexed::Packing};
+use super::{Counts, LitTexels, Mix, StoredTexels, Table, Texels, colors::at, indexed::Packing};
 
 /// The rows of a table of lit palettes.
 pub const SHADES: usize = 32;
@@ -44,7 +44,7 @@ impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Texels
 
     #[inline(always)]
     fn texel(&self, index: usize) -> C {
-        self.before_light(index, SHADES - 1)
+        *at(&self.palettes[SHADES - 1], self.stored(index).into())
     }
 }
 
@@ -66,7 +66,7 @@ impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Stored
     }
 }
 
-impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> LitTexels
+impl<C: Mix, const BITS: usize, const BYTES: usize, const COLORS: usize> LitTexels
     for Shaded<'_, C, BITS, BYTES, COLORS>
 {
     /// A row of the table.
@@ -91,6 +91,11 @@ impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> LitTex
     fn after_light(color: C, _: usize) -> C {
         color
     }
+
+    #[inline(always)]
+    fn plain(color: C, shade: usize) -> C {
+        color.lit(level_of_shade(shade, C::LIGHT_BITS))
+    }
 }
 
 /// 0 and 65,536 lie in the middle of the first and the last row: the row is the upper bits.
@@ -105,9 +110,29 @@ pub(super) const fn shade_of_varying(varying: u32) -> usize {
     (varying >> (32 - SHADES.trailing_zeros())) as usize
 }
 
+/// The level of [`Mix::lit`] that a row stands for, r / 31 in units of 2^-bits, rounded: 1 / 31 is
+/// 1057 / 2^15 within 2^-15 of itself.
+#[inline(always)]
+const fn level_of_shade(shade: usize, bits: u32) -> u32 {
+    (((shade as u32) << bits) * 1057 + (1 << 14)) >> 15
+}
+
 #[cfg(test)]
 mod tests {
+    use embedded_graphics_core::pixelcolor::{Gray8, GrayColor as _};
+
     use super::*;
+
+    #[test]
+    fn rows_stand_for_levels() {
+        for shade in 0..SHADES {
+            for bits in 1..=8 {
+                let exact = shade as f64 / 31.0 * f64::from(1 << bits);
+                let level = level_of_shade(shade, bits);
+                assert_eq!(f64::from(level), exact.round(), "{shade} of {bits} bits");
+            }
+        }
+    }
 
     #[test]
     fn the_nearest_row_lights() {
@@ -121,13 +146,16 @@ mod tests {
 
     #[test]
     fn places_are_looked_up_in_the_lights_row() {
-        let mut palettes = [[0; 4]; SHADES];
+        let mut palettes = [[Gray8::new(0); 4]; SHADES];
         for (row, palette) in palettes.iter_mut().enumerate() {
-            *palette = [0, 1, 2, 3].map(|place| 100 * row + place);
+            *palette = [0, 1, 2, 3].map(|place| Gray8::new(4 * row as u8 + place));
         }
-        let texels: Shaded<'_, usize, 2, 1, 4> = Shaded::new(&[0b00_01_10_11], &palettes);
-        assert_eq!([0, 1, 2, 3].map(|i| texels.before_light(i, 7)), [703, 702, 701, 700]);
-        assert_eq!(texels.texel(0), 3103);
-        assert_eq!(Shaded::<'_, usize, 2, 1, 4>::after_light(5, 0), 5);
+        type Two<'a> = Shaded<'a, Gray8, 2, 1, 4>;
+        let texels: Two<'_> = Shaded::new(&[0b00_01_10_11], &palettes);
+        let lit = [0, 1, 2, 3].map(|index| texels.before_light(index, 7).luma());
+        assert_eq!(lit, [31, 30, 29, 28]);
+        assert_eq!(texels.texel(0).luma(), 4 * 31 + 3);
+        assert_eq!(Two::after_light(Gray8::new(5), 0).luma(), 5);
+        assert_eq!(Two::plain(Gray8::new(62), 15).luma(), 30);
     }
 }

@@ -1,7 +1,9 @@
 //! One texel as a shader gets it.
 
+use super::Outcome;
+
 /// A colour, or an `Option` of one: `None` is transparent.
-pub trait Texel<C>: Copy {
+pub trait Texel<C>: Outcome<C> + Copy {
     /// Returns a texel of this colour.
     fn opaque(color: C) -> Self;
 

@@ -53,6 +53,9 @@ pub trait LitTexels: Texels {
 
     /// Returns the lit colour of what is filtered.
     fn after_light(color: Self::Color, light: Self::Light) -> Self::Color;
+
+    /// Returns a colour that comes from no texture in this light.
+    fn plain(color: Self::Color, light: Self::Light) -> Self::Color;
 }
 
 /// The numbers of texels that a table can stand for: a range, because the last byte may have room
