@@ -23,7 +23,7 @@ pub use flat::{Flat, Unlit};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};
 pub use ramp::Ramp;
-pub use skin::{Covered, VertexCoordinates};
+pub use skin::{Covered, Slot, VertexCoordinates};
 pub use textured::Textured;
 pub use textured_flat::TexturedFlat;
 pub use textured_gouraud::TexturedGouraud;

@@ -6,7 +6,7 @@ use crate::{
     attribute::{Corrected, Correction, Interpolate, PerspectiveCorrect, Varyings},
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
     raster::Gradients,
-    texture::{CoordinateFormat, Filter, Footprint, TexelMap, TexelOf, TextureVarying},
+    texture::{CoordinateFormat, Filter, Footprint, Texel, TexelMap, Texels, TextureVarying},
 };
 
 /// A format in which a shader reads the texture coordinates of a mesh: `i16`, in Q2.14, or `i32`,
@@ -39,64 +39,116 @@ impl VertexCoordinates for i32 {
     }
 }
 
+/// What a material has in a table of textures: a texture, or an `Option` of one.
+///
+/// Where all materials have textures, a table without `Option`s saves the code for those that have
+/// none, some 4 KB, and a test at each pixel.
+pub trait Slot: Copy {
+    /// The type of the texture.
+    type Texture: TexelMap;
+
+    /// Returns what `textured` makes of the texture, or `bare` if there is none.
+    fn texture_or<R>(
+        &self,
+        textured: impl FnOnce(&Self::Texture) -> R,
+        bare: impl FnOnce() -> R,
+    ) -> R;
+}
+
+impl<T: TexelMap> Slot for T {
+    type Texture = T;
+
+    #[inline(always)]
+    fn texture_or<R>(&self, textured: impl FnOnce(&T) -> R, _: impl FnOnce() -> R) -> R {
+        textured(self)
+    }
+}
+
+impl<T: TexelMap> Slot for Option<T> {
+    type Texture = T;
+
+    #[inline(always)]
+    fn texture_or<R>(&self, textured: impl FnOnce(&T) -> R, bare: impl FnOnce() -> R) -> R {
+        match self {
+            Some(texture) => textured(texture),
+            None => bare(),
+        }
+    }
+}
+
 /// The textures of a mesh by its materials, filtered by `F`, with perspective corrected by `M` and
 /// coordinates in the format `C`.
 #[derive(Debug)]
-pub(super) struct Skin<'a, T, F, M, C> {
-    textures: &'a [Option<T>],
+pub(super) struct Skin<'a, S, F, M, C> {
+    first: &'a S,
+    all: &'a [S],
     choices: PhantomData<(F, M, C)>,
 }
 
-impl<T, F, M, C> Clone for Skin<'_, T, F, M, C> {
+impl<S, F, M, C> Clone for Skin<'_, S, F, M, C> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<T, F, M, C> Copy for Skin<'_, T, F, M, C> {}
+impl<S, F, M, C> Copy for Skin<'_, S, F, M, C> {}
 
 /// Texture coordinates as a filter takes them.
-pub(super) type Coordinates<T, F, C> =
-    <F as Filter<T>>::Coordinates<<T as TexelMap>::Coordinates<C>>;
+type Coordinates<S, F, C> = <F as Filter<<S as Slot>::Texture>>::Coordinates<
+    <<S as Slot>::Texture as TexelMap>::Coordinates<C>,
+>;
 
 /// Texture coordinates as a vertex has them.
-pub(super) type Varying<T, F, M, C> = PerspectiveCorrect<Coordinates<T, F, C>, M>;
+pub(super) type Varying<S, F, M, C> = PerspectiveCorrect<Coordinates<S, F, C>, M>;
 
 /// Texture coordinates as a vertex on the screen has them.
-pub(super) type OnScreen<T, F, M, C> = <Varying<T, F, M, C> as Varyings>::OnScreen;
+type OnScreen<S, F, M, C> = <Varying<S, F, M, C> as Varyings>::OnScreen;
 
-impl<'a, T, F, M, C> Skin<'a, T, F, M, C> {
-    pub(super) const fn new(textures: &'a [Option<T>]) -> Self {
-        Self { textures, choices: PhantomData }
+/// What a filter computes of a triangle.
+pub(super) type FaceOf<S, F> = <F as Filter<<S as Slot>::Texture>>::Face;
+
+/// The texels of a texture.
+pub(super) type TexelsOf<S> = <<S as Slot>::Texture as TexelMap>::Texels;
+
+/// The type of a texel.
+pub(super) type TexelOf<S> = <TexelsOf<S> as Texels>::Texel;
+
+/// The type of a texel's colour.
+pub(super) type ColorOf<S> = <TexelsOf<S> as Texels>::Color;
+
+impl<'a, S, F, M, C> Skin<'a, S, F, M, C> {
+    pub(super) const fn new<const N: usize>(textures: &'a [S; N]) -> Self {
+        const { assert!(N > 0, "a shader with textures needs at least one") };
+        Self { first: &textures[0], all: textures, choices: PhantomData }
     }
 
     /// The same textures by other choices.
-    pub(super) const fn chosen<G, N, D>(self) -> Skin<'a, T, G, N, D> {
-        Skin::new(self.textures)
+    pub(super) const fn chosen<G, N, D>(self) -> Skin<'a, S, G, N, D> {
+        Skin { first: self.first, all: self.all, choices: PhantomData }
     }
 }
 
-impl<T: TexelMap, F: Filter<T>, M: Correction, C: VertexCoordinates> Skin<'_, T, F, M, C> {
+impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'_, S, F, M, C> {
     /// The texture of a material, and its colour.
     #[inline(always)]
-    pub(super) fn surface<S>(&self, material: &MeshMaterial<'_>, color: S) -> Covered<T, S> {
-        Covered { texture: self.textures.get(material.index()).copied().flatten(), color }
+    pub(super) fn surface<P>(&self, material: &MeshMaterial<'_>, color: P) -> Covered<S, P> {
+        Covered { slot: *self.all.get(material.index()).unwrap_or(self.first), color }
     }
 
     #[inline(always)]
-    pub(super) fn vertex(vertex: &MeshVertex<'_>) -> Varying<T, F, M, C> {
-        PerspectiveCorrect::new(T::coordinates(C::of(vertex)).into())
+    pub(super) fn vertex(vertex: &MeshVertex<'_>) -> Varying<S, F, M, C> {
+        PerspectiveCorrect::new(S::Texture::coordinates(C::of(vertex)).into())
     }
 
     /// What the filter computes of a triangle with these coordinates at its corners.
     #[inline(always)]
     pub(super) fn face<V: Interpolate>(
-        texture: &T,
+        texture: &S::Texture,
         gradients: &Gradients<'_, V>,
-        coordinates: impl Fn(V) -> OnScreen<T, F, M, C>,
-    ) -> F::Face {
+        coordinates: impl Fn(V) -> OnScreen<S, F, M, C>,
+    ) -> FaceOf<S, F> {
         F::face(texture, || {
-            let parts = |corner| M::parts::<Coordinates<T, F, C>>(&coordinates(corner));
+            let parts = |corner| M::parts::<Coordinates<S, F, C>>(&coordinates(corner));
             let corners = gradients.corners().map(parts);
             Footprint::new(
                 corners.map(|(corner, _)| corner.uv()),
@@ -106,33 +158,35 @@ impl<T: TexelMap, F: Filter<T>, M: Correction, C: VertexCoordinates> Skin<'_, T,
             )
         })
     }
-}
 
-/// A material's texture, if it has one, and its colour.
-#[derive(Clone, Copy, Debug)]
-pub struct Covered<T, S> {
-    pub(super) texture: Option<T>,
-    pub(super) color: S,
-}
-
-impl<T: TexelMap, S> Covered<T, S> {
-    /// Returns the texel of a pixel, by its number from `fetch`, and by `plain` from the colour of
-    /// a material without texture.
+    /// The texel of a pixel, of which `fetch` gets one by its number.
     #[inline(always)]
-    pub(super) fn texel<F: Filter<T>>(
-        &self,
-        face: &F::Face,
-        pixel: Corrected<T::Place>,
-        fetch: impl Fn(&T::Texels, usize) -> TexelOf<T>,
-        plain: impl FnOnce(&S) -> TexelOf<T>,
-    ) -> TexelOf<T> {
-        match &self.texture {
-            Some(texture) => F::sample(texture, face, pixel.value, pixel.inverse_w, |index| {
-                fetch(texture.texels(), index)
-            }),
-            None => plain(&self.color),
-        }
+    pub(super) fn texel(
+        texture: &S::Texture,
+        face: &FaceOf<S, F>,
+        pixel: Corrected<<S::Texture as TexelMap>::Place>,
+        fetch: impl Fn(&TexelsOf<S>, usize) -> TexelOf<S>,
+    ) -> TexelOf<S> {
+        F::sample(texture, face, pixel.value, pixel.inverse_w, |index| {
+            fetch(texture.texels(), index)
+        })
     }
+}
+
+/// What a material is covered with: its texture, if it has one, and its colour.
+#[derive(Clone, Copy, Debug)]
+pub struct Covered<S, P> {
+    pub(super) slot: S,
+    pub(super) color: P,
+}
+
+/// A texel of a material without texture.
+// codegen: a call that is never made keeps the loads of both cases apart, so that a pixel of a
+// texture takes one branch, which is not taken, and no more registers.
+#[cold]
+#[inline(never)]
+pub(super) fn bare<C, T: Texel<C>>(color: C) -> T {
+    T::opaque(color)
 }
 
 /// A square of two triangles that fills a picture, for the tests of shaders.

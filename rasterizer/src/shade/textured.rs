@@ -4,23 +4,24 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
     Face, OnScreen, Sample, Shader,
-    skin::{Covered, Skin, Varying, VertexCoordinates},
+    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying, VertexCoordinates, bare},
 };
 use crate::{
     attribute::{Adaptive, Correction},
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
-    texture::{ColorOf, Filter, Nearest, Texel as _, TexelMap, TexelOf, Texels as _},
+    texture::{Filter, Nearest, Texels as _},
 };
 
 /// The material's texture, unlit.
 ///
-/// `T` is the type of the textures, [`Texture`](crate::texture::Texture) or another
-/// [`TexelMap`]; `F` the [`Filter`], `M` how perspective is corrected ([`Correction`]), and `C` the
-/// format of the mesh's texture coordinates, `i16` or `i32`. Needs
-/// [`texture_coordinates`](crate::mesh::Tables::texture_coordinates).
+/// `S` is the type of the textures ([`Slot`]): [`Texture`](crate::texture::Texture) or another
+/// [`TexelMap`](crate::texture::TexelMap), or an `Option` of one; `F` the [`Filter`], `M` how
+/// perspective is corrected ([`Correction`]), and `C` the format of the mesh's texture coordinates,
+/// `i16` or `i32`. Needs [`texture_coordinates`](crate::mesh::Tables::texture_coordinates).
 ///
-/// A material without a texture has its colour.
+/// A material without a texture has its colour. One beyond the table has the first texture, so that
+/// one is enough for all.
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
@@ -42,58 +43,58 @@ use crate::{
 /// # let _ = (nearest, smooth);
 /// ```
 #[derive(Debug)]
-pub struct Textured<'a, T, F = Nearest, M = Adaptive, C = i16>(Skin<'a, T, F, M, C>);
+pub struct Textured<'a, S, F = Nearest, M = Adaptive, C = i16>(Skin<'a, S, F, M, C>);
 
-impl<'a, T> Textured<'a, T> {
+impl<'a, S> Textured<'a, S> {
     /// With the textures of a mesh by its materials: nearest texels, corrected within half a texel,
     /// coordinates of 16 bits.
     #[must_use]
-    pub const fn new(textures: &'a [Option<T>]) -> Self {
+    pub const fn new<const N: usize>(textures: &'a [S; N]) -> Self {
         Self(Skin::new(textures))
     }
 }
 
-impl<'a, T, F, M, C> Textured<'a, T, F, M, C> {
+impl<'a, S, F, M, C> Textured<'a, S, F, M, C> {
     /// Filtered in another way, such as [`Bilinear`](crate::texture::Bilinear).
     #[must_use]
-    pub const fn filtered<G: Copy>(self, _: G) -> Textured<'a, T, G, M, C> {
+    pub const fn filtered<G: Copy>(self, _: G) -> Textured<'a, S, G, M, C> {
         Textured(self.0.chosen())
     }
 
     /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
     #[must_use]
-    pub const fn corrected<N: Correction>(self, _: N) -> Textured<'a, T, F, N, C> {
+    pub const fn corrected<N: Correction>(self, _: N) -> Textured<'a, S, F, N, C> {
         Textured(self.0.chosen())
     }
 
     /// For meshes whose texture coordinates have any format, with 32 bits a vertex each.
     #[must_use]
-    pub const fn with_wide_coordinates(self) -> Textured<'a, T, F, M, i32> {
+    pub const fn with_wide_coordinates(self) -> Textured<'a, S, F, M, i32> {
         Textured(self.0.chosen())
     }
 }
 
-impl<T, F, M, C> Clone for Textured<'_, T, F, M, C> {
+impl<S, F, M, C> Clone for Textured<'_, S, F, M, C> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<T, F, M, C> Copy for Textured<'_, T, F, M, C> {}
+impl<S, F, M, C> Copy for Textured<'_, S, F, M, C> {}
 
-impl<T, F, M, C> Shader for Textured<'_, T, F, M, C>
+impl<S, F, M, C> Shader for Textured<'_, S, F, M, C>
 where
-    T: TexelMap,
-    ColorOf<T>: From<Rgb888>,
-    F: Filter<T>,
+    S: Slot,
+    ColorOf<S>: From<Rgb888>,
+    F: Filter<S::Texture>,
     M: Correction,
     C: VertexCoordinates,
 {
-    type Color = ColorOf<T>;
-    type Varyings = Varying<T, F, M, C>;
-    type Surface = Covered<T, ColorOf<T>>;
-    type Face = F::Face;
-    type Outcome = TexelOf<T>;
+    type Color = ColorOf<S>;
+    type Varyings = Varying<S, F, M, C>;
+    type Surface = Covered<S, ColorOf<S>>;
+    type Face = FaceOf<S, F>;
+    type Outcome = TexelOf<S>;
 
     const TABLES: RequiredTables = C::TABLES;
 
@@ -103,7 +104,7 @@ where
 
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings {
-        Skin::<T, F, M, C>::vertex(vertex)
+        Skin::<S, F, M, C>::vertex(vertex)
     }
 
     #[inline(always)]
@@ -112,27 +113,27 @@ where
         surface: &Self::Surface,
         _: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
-    ) -> Face<ColorOf<T>, F::Face> {
-        match &surface.texture {
-            Some(texture) => {
-                Face::Shaded(Skin::<T, F, M, C>::face(texture, gradients, |corner| corner))
-            }
-            None => Face::Solid(surface.color),
-        }
+    ) -> Face<ColorOf<S>, FaceOf<S, F>> {
+        surface.slot.texture_or(
+            |texture| Face::Shaded(Skin::<S, F, M, C>::face(texture, gradients, |corner| corner)),
+            || Face::Solid(surface.color),
+        )
     }
 
     #[inline(always)]
     fn pixel(
         &self,
         surface: &Self::Surface,
-        face: &F::Face,
+        face: &FaceOf<S, F>,
         fragment: Fragment<Sample<Self>>,
-    ) -> TexelOf<T> {
-        surface.texel::<F>(
-            face,
-            fragment.varyings,
-            |texels, index| texels.texel(index),
-            |&color| TexelOf::<T>::opaque(color),
+    ) -> TexelOf<S> {
+        surface.slot.texture_or(
+            |texture| {
+                Skin::<S, F, M, C>::texel(texture, face, fragment.varyings, |texels, index| {
+                    texels.texel(index)
+                })
+            },
+            || bare(surface.color),
         )
     }
 }
@@ -150,7 +151,7 @@ mod tests {
         scene::ProjectError,
         texture::{
             Bilinear, Clamp, Colors, Indexed, Keyed, Mipmaps, NearestMip, PerPixel, PerTriangle,
-            Repeat, Texels, Texture, Trilinear, Wrap,
+            Repeat, Texture, Trilinear, Wrap,
         },
     };
 
@@ -240,11 +241,14 @@ mod tests {
     #[test]
     fn a_material_without_texture_has_its_color() {
         let none: Picture<Colors<'_, Gray8, 16>> = [None];
-        let few: [Option<Texture<Colors<'_, Gray8, 16>, 4, 4>>; 0] = [];
-        for textures in [&none[..], &few] {
-            let rows = drawn(&Textured::new(textures).filtered(Bilinear), false).unwrap();
-            assert!(rows.iter().flatten().all(|&pixel| pixel == GRAY), "{rows:?}");
-        }
+        let rows = drawn(&Textured::new(&none).filtered(Bilinear), false).unwrap();
+        assert!(rows.iter().flatten().all(|&pixel| pixel == GRAY), "{rows:?}");
+    }
+
+    #[test]
+    fn a_table_without_options_has_a_texture_for_each_material() {
+        let [texture] = picture::<Repeat, Repeat>().map(Option::unwrap);
+        assert!(is_enlarged(&drawn(&Textured::new(&[texture]), false).unwrap()));
     }
 
     /// 16 x 16 texels on 8 x 8 pixels: level 1.
@@ -271,6 +275,5 @@ mod tests {
         assert!(is_all(drawn(&pixel, false).unwrap(), 20));
         assert!(is_all(drawn(&pixel.corrected(EveryPixel), false).unwrap(), 20));
         assert!(is_all(drawn(&shader.filtered(Trilinear(PerPixel)), false).unwrap(), 20));
-        assert_eq!(maps[0].unwrap().texels().texel(COUNT - 1), Gray8::new(30));
     }
 }

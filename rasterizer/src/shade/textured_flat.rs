@@ -5,14 +5,16 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use super::{
     Face, Light, OnScreen, Sample, Shader,
     flat::scaled_color,
-    skin::{Covered, Skin, Varying, VertexCoordinates},
+    skin::{
+        ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates, bare,
+    },
 };
 use crate::{
     attribute::{Adaptive, Correction},
     geometry::Pose,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
-    texture::{ColorOf, Filter, LitTexels, Nearest, Texel as _, TexelMap, TexelOf},
+    texture::{Filter, LitTexels, Nearest, Texel as _, TexelMap},
 };
 
 /// The material's texture, lit by the normal of the triangle: each channel of a texel times the
@@ -24,64 +26,64 @@ use crate::{
 /// [`face_normals`](crate::mesh::Tables::face_normals). A material without a texture is drawn like
 /// [`Flat`](super::Flat).
 #[derive(Debug)]
-pub struct TexturedFlat<'a, T, F = Nearest, M = Adaptive, C = i16> {
-    skin: Skin<'a, T, F, M, C>,
+pub struct TexturedFlat<'a, S, F = Nearest, M = Adaptive, C = i16> {
+    skin: Skin<'a, S, F, M, C>,
     light: Light,
 }
 
-impl<'a, T> TexturedFlat<'a, T> {
+impl<'a, S> TexturedFlat<'a, S> {
     /// With the textures of a mesh by its materials, lit by `light`: nearest texels, corrected
     /// within half a texel, coordinates of 16 bits.
     #[must_use]
-    pub const fn new(textures: &'a [Option<T>], light: Light) -> Self {
+    pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
         Self { skin: Skin::new(textures), light }
     }
 }
 
-impl<'a, T, F, M, C> TexturedFlat<'a, T, F, M, C> {
+impl<'a, S, F, M, C> TexturedFlat<'a, S, F, M, C> {
     /// Filtered in another way, such as [`Bilinear`](crate::texture::Bilinear).
     #[must_use]
-    pub const fn filtered<G: Copy>(self, _: G) -> TexturedFlat<'a, T, G, M, C> {
+    pub const fn filtered<G: Copy>(self, _: G) -> TexturedFlat<'a, S, G, M, C> {
         TexturedFlat { skin: self.skin.chosen(), light: self.light }
     }
 
     /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
     #[must_use]
-    pub const fn corrected<N: Correction>(self, _: N) -> TexturedFlat<'a, T, F, N, C> {
+    pub const fn corrected<N: Correction>(self, _: N) -> TexturedFlat<'a, S, F, N, C> {
         TexturedFlat { skin: self.skin.chosen(), light: self.light }
     }
 
     /// For meshes whose texture coordinates have any format, with 32 bits a vertex each.
     #[must_use]
-    pub const fn with_wide_coordinates(self) -> TexturedFlat<'a, T, F, M, i32> {
+    pub const fn with_wide_coordinates(self) -> TexturedFlat<'a, S, F, M, i32> {
         TexturedFlat { skin: self.skin.chosen(), light: self.light }
     }
 }
 
-impl<T, F, M, C> Clone for TexturedFlat<'_, T, F, M, C> {
+impl<S, F, M, C> Clone for TexturedFlat<'_, S, F, M, C> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<T, F, M, C> Copy for TexturedFlat<'_, T, F, M, C> {}
+impl<S, F, M, C> Copy for TexturedFlat<'_, S, F, M, C> {}
 
 /// What the light of a texture is.
-type LightOf<T> = <<T as TexelMap>::Texels as LitTexels>::Light;
+type LightOf<S> = <TexelsOf<S> as LitTexels>::Light;
 
-impl<T, F, M, C> Shader for TexturedFlat<'_, T, F, M, C>
+impl<S, F, M, C> Shader for TexturedFlat<'_, S, F, M, C>
 where
-    T: TexelMap<Texels: LitTexels>,
-    ColorOf<T>: From<Rgb888>,
-    F: Filter<T>,
+    S: Slot<Texture: TexelMap<Texels: LitTexels>>,
+    ColorOf<S>: From<Rgb888>,
+    F: Filter<S::Texture>,
     M: Correction,
     C: VertexCoordinates,
 {
-    type Color = ColorOf<T>;
-    type Varyings = Varying<T, F, M, C>;
-    type Surface = Covered<T, Rgb888>;
-    type Face = (F::Face, LightOf<T>);
-    type Outcome = TexelOf<T>;
+    type Color = ColorOf<S>;
+    type Varyings = Varying<S, F, M, C>;
+    type Surface = Covered<S, Rgb888>;
+    type Face = (FaceOf<S, F>, LightOf<S>);
+    type Outcome = TexelOf<S>;
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..C::TABLES };
 
@@ -95,7 +97,7 @@ where
 
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings {
-        Skin::<T, F, M, C>::vertex(vertex)
+        Skin::<S, F, M, C>::vertex(vertex)
     }
 
     #[inline(always)]
@@ -104,16 +106,16 @@ where
         surface: &Self::Surface,
         face: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
-    ) -> Face<ColorOf<T>, Self::Face> {
+    ) -> Face<ColorOf<S>, Self::Face> {
         let level = self.light.level(face.normal());
-        match &surface.texture {
-            Some(texture) => {
-                let filtered = Skin::<T, F, M, C>::face(texture, gradients, |corner| corner);
-                let varying = u32::from(T::Texels::varying(level)) << 16;
-                Face::Shaded((filtered, T::Texels::light(varying)))
-            }
-            None => Face::Solid(scaled_color(surface.color, level)),
-        }
+        surface.slot.texture_or(
+            |texture| {
+                let filtered = Skin::<S, F, M, C>::face(texture, gradients, |corner| corner);
+                let varying = u32::from(TexelsOf::<S>::varying(level)) << 16;
+                Face::Shaded((filtered, TexelsOf::<S>::light(varying)))
+            },
+            || Face::Solid(scaled_color(surface.color, level)),
+        )
     }
 
     #[inline(always)]
@@ -122,14 +124,16 @@ where
         surface: &Self::Surface,
         (face, light): &Self::Face,
         fragment: Fragment<Sample<Self>>,
-    ) -> TexelOf<T> {
-        let texel = surface.texel::<F>(
-            face,
-            fragment.varyings,
-            |texels, index| texels.before_light(index, *light),
-            |&color| TexelOf::<T>::opaque(color.into()),
-        );
-        texel.recolored(|color| T::Texels::after_light(color, *light))
+    ) -> TexelOf<S> {
+        surface.slot.texture_or(
+            |texture| {
+                Skin::<S, F, M, C>::texel(texture, face, fragment.varyings, |texels, index| {
+                    texels.before_light(index, *light)
+                })
+                .recolored(|color| TexelsOf::<S>::after_light(color, *light))
+            },
+            || bare(surface.color.into()),
+        )
     }
 }
 

@@ -6,14 +6,14 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
     Face, Light, OnScreen, Sample, Shader,
-    skin::{Covered, Skin, Varying, VertexCoordinates},
+    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates},
 };
 use crate::{
     attribute::{Adaptive, Affine, Correction, PerspectiveCorrect},
     geometry::Pose,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
-    texture::{ColorOf, Filter, LitTexels, Nearest, Texel as _, TexelMap, TexelOf},
+    texture::{Filter, LitTexels, Nearest, Texel as _, TexelMap},
 };
 
 /// The material's texture, lit at the vertices: each channel of a texel times the interpolated
@@ -25,74 +25,74 @@ use crate::{
 /// [`vertex_normals`](crate::mesh::Tables::vertex_normals). A material without a texture has its
 /// colour in this light.
 #[derive(Debug)]
-pub struct TexturedGouraud<'a, T, F = Nearest, M = Adaptive, C = i16, L = Affine> {
-    skin: Skin<'a, T, F, M, C>,
+pub struct TexturedGouraud<'a, S, F = Nearest, M = Adaptive, C = i16, L = Affine> {
+    skin: Skin<'a, S, F, M, C>,
     light: Light,
     level: PhantomData<L>,
 }
 
-impl<'a, T> TexturedGouraud<'a, T> {
+impl<'a, S> TexturedGouraud<'a, S> {
     /// With the textures of a mesh by its materials, lit by `light`: nearest texels, corrected
     /// within half a texel, coordinates of 16 bits.
     #[must_use]
-    pub const fn new(textures: &'a [Option<T>], light: Light) -> Self {
+    pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
         Self { skin: Skin::new(textures), light, level: PhantomData }
     }
 }
 
-impl<'a, T, F, M, C, L> TexturedGouraud<'a, T, F, M, C, L> {
+impl<'a, S, F, M, C, L> TexturedGouraud<'a, S, F, M, C, L> {
     /// Filtered in another way, such as [`Bilinear`](crate::texture::Bilinear).
     #[must_use]
-    pub const fn filtered<G: Copy>(self, _: G) -> TexturedGouraud<'a, T, G, M, C, L> {
+    pub const fn filtered<G: Copy>(self, _: G) -> TexturedGouraud<'a, S, G, M, C, L> {
         self.chosen()
     }
 
     /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
     #[must_use]
-    pub const fn corrected<N: Correction>(self, _: N) -> TexturedGouraud<'a, T, F, N, C, L> {
+    pub const fn corrected<N: Correction>(self, _: N) -> TexturedGouraud<'a, S, F, N, C, L> {
         self.chosen()
     }
 
     /// For meshes whose texture coordinates have any format, with 32 bits a vertex each.
     #[must_use]
-    pub const fn with_wide_coordinates(self) -> TexturedGouraud<'a, T, F, M, i32, L> {
+    pub const fn with_wide_coordinates(self) -> TexturedGouraud<'a, S, F, M, i32, L> {
         self.chosen()
     }
 
     /// With the level of light corrected in another way than by straight lines on the screen.
     #[must_use]
-    pub const fn with_level<K: Correction>(self, _: K) -> TexturedGouraud<'a, T, F, M, C, K> {
+    pub const fn with_level<K: Correction>(self, _: K) -> TexturedGouraud<'a, S, F, M, C, K> {
         self.chosen()
     }
 
-    const fn chosen<G, N, D, K>(self) -> TexturedGouraud<'a, T, G, N, D, K> {
+    const fn chosen<G, N, D, K>(self) -> TexturedGouraud<'a, S, G, N, D, K> {
         TexturedGouraud { skin: self.skin.chosen(), light: self.light, level: PhantomData }
     }
 }
 
-impl<T, F, M, C, L> Clone for TexturedGouraud<'_, T, F, M, C, L> {
+impl<S, F, M, C, L> Clone for TexturedGouraud<'_, S, F, M, C, L> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<T, F, M, C, L> Copy for TexturedGouraud<'_, T, F, M, C, L> {}
+impl<S, F, M, C, L> Copy for TexturedGouraud<'_, S, F, M, C, L> {}
 
-impl<T, F, M, C, L> Shader for TexturedGouraud<'_, T, F, M, C, L>
+impl<S, F, M, C, L> Shader for TexturedGouraud<'_, S, F, M, C, L>
 where
-    T: TexelMap<Texels: LitTexels>,
-    ColorOf<T>: From<Rgb888>,
-    F: Filter<T>,
+    S: Slot<Texture: TexelMap<Texels: LitTexels>>,
+    ColorOf<S>: From<Rgb888>,
+    F: Filter<S::Texture>,
     M: Correction,
     C: VertexCoordinates,
     L: Correction,
 {
-    type Color = ColorOf<T>;
+    type Color = ColorOf<S>;
     /// The coordinates, and the level of light.
-    type Varyings = (Varying<T, F, M, C>, PerspectiveCorrect<u16, L>);
-    type Surface = Covered<T, ColorOf<T>>;
-    type Face = F::Face;
-    type Outcome = TexelOf<T>;
+    type Varyings = (Varying<S, F, M, C>, PerspectiveCorrect<u16, L>);
+    type Surface = Covered<S, ColorOf<S>>;
+    type Face = FaceOf<S, F>;
+    type Outcome = TexelOf<S>;
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..C::TABLES };
 
@@ -107,8 +107,8 @@ where
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings {
         let level = self.light.level(vertex.normal());
-        let level = PerspectiveCorrect::new(T::Texels::varying(level));
-        (Skin::<T, F, M, C>::vertex(vertex), level)
+        let level = PerspectiveCorrect::new(TexelsOf::<S>::varying(level));
+        (Skin::<S, F, M, C>::vertex(vertex), level)
     }
 
     #[inline(always)]
@@ -117,35 +117,31 @@ where
         surface: &Self::Surface,
         _: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
-    ) -> Face<ColorOf<T>, F::Face> {
-        Face::Shaded(match &surface.texture {
-            Some(texture) => {
-                Skin::<T, F, M, C>::face(texture, gradients, |(coordinates, _)| coordinates)
-            }
-            None => F::Face::default(),
-        })
+    ) -> Face<ColorOf<S>, FaceOf<S, F>> {
+        Face::Shaded(surface.slot.texture_or(
+            |texture| Skin::<S, F, M, C>::face(texture, gradients, |(coordinates, _)| coordinates),
+            FaceOf::<S, F>::default,
+        ))
     }
 
     #[inline(always)]
     fn pixel(
         &self,
         surface: &Self::Surface,
-        face: &F::Face,
+        face: &FaceOf<S, F>,
         fragment: Fragment<Sample<Self>>,
-    ) -> TexelOf<T> {
+    ) -> TexelOf<S> {
         let (place, level) = fragment.varyings;
-        let light = T::Texels::light(level.value.to_bits());
-        match &surface.texture {
-            Some(_) => surface
-                .texel::<F>(
-                    face,
-                    place,
-                    |texels, index| texels.before_light(index, light),
-                    |&color| TexelOf::<T>::opaque(color),
-                )
-                .recolored(|color| T::Texels::after_light(color, light)),
-            None => TexelOf::<T>::opaque(T::Texels::plain(surface.color, light)),
-        }
+        let light = TexelsOf::<S>::light(level.value.to_bits());
+        surface.slot.texture_or(
+            |texture| {
+                Skin::<S, F, M, C>::texel(texture, face, place, |texels, index| {
+                    texels.before_light(index, light)
+                })
+                .recolored(|color| TexelsOf::<S>::after_light(color, light))
+            },
+            || TexelOf::<S>::opaque(TexelsOf::<S>::plain(surface.color, light)),
+        )
     }
 }
 
