@@ -109,9 +109,10 @@ where
                 let blending = seen.mode.blending();
                 match seen.shader.face(surface, &face, &Gradients::of(&triangle)) {
                     Face::Solid(color) => blending.fill(target, &triangle, &window, color),
-                    Face::Shaded(face) => blending.shade(target, &triangle, &window, |fragment| {
-                        seen.shader.pixel(surface, &face, fragment)
-                    }),
+                    Face::Shaded(face) => {
+                        let pixels = seen.shader.pixels(surface, face);
+                        blending.shade(target, &triangle, &window, pixels)
+                    }
                 }
             })
         })

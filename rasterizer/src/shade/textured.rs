@@ -124,17 +124,29 @@ where
     fn pixel(
         &self,
         surface: &Self::Surface,
-        face: &FaceOf<S, F>,
+        face: &Self::Face,
         fragment: Fragment<Sample<Self>>,
     ) -> TexelOf<S> {
-        surface.slot.texture_or(
-            |texture| {
-                Skin::<S, F, M, C>::texel(texture, face, fragment.varyings, |texels, index| {
-                    texels.texel(index)
-                })
-            },
-            || bare(surface.color),
-        )
+        self.pixels(surface, *face)(fragment)
+    }
+
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Self::Surface,
+        face: Self::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> {
+        let Covered { slot, color } = *surface;
+        move |fragment| {
+            slot.texture_or(
+                |texture| {
+                    Skin::<S, F, M, C>::texel(texture, &face, fragment.varyings, |texels, index| {
+                        texels.texel(index)
+                    })
+                },
+                || bare(color),
+            )
+        }
     }
 }
 
