@@ -13,7 +13,7 @@ mod steps;
 use core::{fmt::Debug, marker::PhantomData};
 
 pub use pace::{Adaptive, Every, Pace};
-use quotient::{AlongRow, AtPixel, Quotient};
+use quotient::{AtPixel, Quotient};
 
 use super::{Components, Interpolate, InverseW, Varyings};
 

@@ -38,7 +38,7 @@ type Wide = Plane<u64>;
 pub struct Quotient<V: Components> {
     q: Wide,
     numerators: V::Each<Wide>,
-    block: Block<V>,
+    pub(super) block: Block<V>,
     to_first: [i32; 2],
     pitch: i32,
 }
@@ -56,16 +56,9 @@ pub(super) struct Block<V: Components> {
 
 /// 1 / w and numerators at a pixel: Q32.32.
 #[derive(Clone, Copy, Debug)]
-pub struct AtPixel<V: Components> {
+pub(super) struct AtPixel<V: Components> {
     pub(super) q: u64,
     pub(super) numerators: V::Each<u64>,
-}
-
-/// Their change along a row.
-#[derive(Clone, Copy, Debug)]
-pub struct AlongRow<V: Components> {
-    pub(super) step: AtPixel<V>,
-    pub(super) block: Block<V>,
 }
 
 /// The corners of a triangle in a block's numbers.
@@ -163,16 +156,16 @@ fn signed<S: Subpixel>(
 }
 
 impl<V: Components> Field for Quotient<V> {
-    type First = AtPixel<V>;
-    type Change = AlongRow<V>;
-
     #[inline(always)]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
         Self { to_first, pitch, ..self }
     }
+}
 
+impl<V: Components> Quotient<V> {
+    /// 1 / w and the numerators at the pixel at an address of a row.
     #[inline(always)]
-    fn at(&self, address: i32, row: i32) -> AtPixel<V> {
+    pub(super) fn at(&self, [address, row]: [i32; 2]) -> AtPixel<V> {
         let [column, first_row] = self.to_first;
         let columns = address.wrapping_add(column).wrapping_sub(row.wrapping_mul(self.pitch));
         let rows = row.wrapping_add(first_row);
@@ -183,13 +176,14 @@ impl<V: Components> Field for Quotient<V> {
         AtPixel { q: at(&self.q, columns, rows), numerators }
     }
 
+    /// Their change along a row.
     #[inline(always)]
-    fn change(&self) -> AlongRow<V> {
+    pub(super) fn along_row(&self) -> AtPixel<V> {
         let mut numerators = V::WIDE_ZEROS;
         for (step, plane) in numerators.as_mut().iter_mut().zip(self.numerators.as_ref()) {
             *step = plane.per_column;
         }
-        AlongRow { step: AtPixel { q: self.q.per_column, numerators }, block: self.block }
+        AtPixel { q: self.q.per_column, numerators }
     }
 }
 

@@ -3,13 +3,12 @@
 use core::marker::PhantomData;
 
 use super::{
-    AlongRow, AtPixel, Corrected, Correction, Pace, Quotient,
+    AtPixel, Corrected, Correction, Pace, Quotient,
     quotient::{Block, Corners},
 };
 use crate::{
     attribute::{
-        Change, Components, Field, First, Interpolate, InverseW, Piece, QuickGradients, Step,
-        TriangleSetup,
+        Components, Field, Interpolate, InverseW, Piece, QuickGradients, Step, TriangleSetup,
     },
     numbers::{Subpixel, leading_zeros},
 };
@@ -45,28 +44,7 @@ pub enum SteppedField<V: Components> {
     Divided(Quotient<V>, i32),
 }
 
-/// Its numbers at the first pixel of a span.
-#[derive(Clone, Copy, Debug)]
-pub enum SteppedFirst<V: Components> {
-    /// Linear on the screen.
-    Affine(First<V>),
-    /// Divided.
-    Divided(AtPixel<V>),
-}
-
-/// Their change along a row.
-#[derive(Clone, Copy, Debug)]
-pub enum SteppedChange<V: Components> {
-    /// Linear on the screen.
-    Affine(Change<V>, InverseW),
-    /// Divided, by the law of the steps' lengths.
-    Divided(AlongRow<V>, i32),
-}
-
 impl<V: Components> Field for SteppedField<V> {
-    type First = SteppedFirst<V>;
-    type Change = SteppedChange<V>;
-
     #[inline(always)]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
         match self {
@@ -74,22 +52,6 @@ impl<V: Components> Field for SteppedField<V> {
                 Self::Affine(field.over_addresses(to_first, pitch), inverse_w)
             }
             Self::Divided(field, law) => Self::Divided(field.over_addresses(to_first, pitch), law),
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, address: i32, row: i32) -> SteppedFirst<V> {
-        match self {
-            Self::Affine(field, _) => SteppedFirst::Affine(field.at(address, row)),
-            Self::Divided(field, _) => SteppedFirst::Divided(field.at(address, row)),
-        }
-    }
-
-    #[inline(always)]
-    fn change(&self) -> SteppedChange<V> {
-        match self {
-            Self::Affine(field, inverse_w) => SteppedChange::Affine(field.change(), *inverse_w),
-            Self::Divided(field, law) => SteppedChange::Divided(field.change(), *law),
         }
     }
 }
@@ -119,33 +81,55 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
     }
 
     #[inline(always)]
+    fn whole(
+        field: &SteppedField<V>,
+        at: [i32; 2],
+        pixels: usize,
+    ) -> Option<Piece<SteppedWalk<V>>> {
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                Some(SteppedWalk::affine(V::whole(field, at, pixels)?, *inverse_w))
+            }
+            SteppedField::Divided(..) => None,
+        }
+    }
+
+    #[inline(always)]
     fn walk(
-        first: SteppedFirst<V>,
-        change: SteppedChange<V>,
+        field: &SteppedField<V>,
+        at: [i32; 2],
         pixels: usize,
     ) -> (Piece<SteppedWalk<V>>, Rest<V>) {
-        match (first, change) {
-            (SteppedFirst::Divided(at), SteppedChange::Divided(change, law)) => {
-                let last = at.plus(&change.step.times(pixels as i32 - 1));
-                let log2_pixels = P::log2_pixels::<V>(law, [at.q(), last.q()]);
-                let mut pieces = Pieces {
-                    value: at.divided(&change.block),
-                    at,
-                    step: change.step,
-                    block: change.block,
-                    log2_pixels,
-                    pixels,
-                };
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                let (piece, rest) = V::walk(field, at, pixels);
+                (SteppedWalk::affine(piece, *inverse_w), Rest::Affine(rest, *inverse_w))
+            }
+            SteppedField::Divided(field, law) => {
+                let mut pieces = Pieces::new::<P>(field, *law, at, pixels);
                 (pieces.piece(), Rest::Divided(pieces))
             }
-            (SteppedFirst::Affine(first), SteppedChange::Affine(change, inverse_w)) => {
-                let (piece, rest) = V::walk(first, change, pixels);
-                (SteppedWalk::affine(piece, inverse_w), Rest::Affine(rest, inverse_w))
+        }
+    }
+
+    #[inline(always)]
+    fn for_each_piece(
+        field: &SteppedField<V>,
+        at: [i32; 2],
+        pixels: usize,
+        mut visit: impl FnMut(Piece<SteppedWalk<V>>),
+    ) {
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                V::for_each_piece(field, at, pixels, |piece| {
+                    visit(SteppedWalk::affine(piece, *inverse_w));
+                });
             }
-            // Both are of one field.
-            _ => {
-                let piece = Piece { first: SteppedWalk::ZERO, step: SteppedWalk::ZERO, pixels };
-                (piece, Rest::Divided(Pieces::NONE))
+            SteppedField::Divided(field, law) => {
+                let mut pieces = Pieces::new::<P>(field, *law, at, pixels);
+                while pieces.pixels != 0 {
+                    visit(pieces.piece());
+                }
             }
         }
     }
@@ -235,6 +219,8 @@ pub struct Pieces<V: Components> {
     value: V::Each<i32>,
     at: AtPixel<V>,
     step: AtPixel<V>,
+    /// 2^`log2_pixels` steps.
+    stride: AtPixel<V>,
     block: Block<V>,
     log2_pixels: u32,
     /// From the next pixel to the end of the span.
@@ -242,32 +228,50 @@ pub struct Pieces<V: Components> {
 }
 
 impl<V: Components> Pieces<V> {
-    const NONE: Self = Self {
-        value: V::ZEROS,
-        at: AtPixel::ZERO,
-        step: AtPixel::ZERO,
-        block: Block::ZERO,
-        log2_pixels: 0,
-        pixels: 0,
-    };
+    /// From the first pixel of a span.
+    #[inline(always)]
+    fn new<P: Pace>(field: &Quotient<V>, law: i32, at: [i32; 2], pixels: usize) -> Self {
+        let (at, step) = (field.at(at), field.along_row());
+        let last = at.plus(&step.times(pixels as i32 - 1));
+        let log2_pixels = P::log2_pixels::<V>(law, [at.q(), last.q()]);
+        Self {
+            value: at.divided(&field.block),
+            at,
+            step,
+            stride: step.times(1 << log2_pixels),
+            block: field.block,
+            log2_pixels,
+            pixels,
+        }
+    }
 
     /// The next step, of which there is one: to a division after 2^`log2_pixels` pixels or at the
     /// span's last pixel, where the triangle has a value.
     #[inline(always)]
     fn piece(&mut self) -> Piece<SteppedWalk<V>> {
         let length = 1 << self.log2_pixels;
-        let is_last = self.pixels <= length;
-        let (pixels, way) = if is_last { (self.pixels, self.pixels - 1) } else { (length, length) };
         let (from, q) = (self.value, self.at.q());
         let mut step = V::ZEROS;
-        if way != 0 {
-            self.at = self.at.plus(&self.step.times(way as i32));
+        let mut pixels = length;
+        if self.pixels > length {
+            self.at = self.at.plus(&self.stride);
             self.value = self.at.divided(&self.block);
             for ((step, to), from) in
                 step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
             {
-                let change = to.wrapping_sub(*from);
-                *step = if is_last { part(change, way) } else { change >> self.log2_pixels };
+                *step = to.wrapping_sub(*from) >> self.log2_pixels;
+            }
+        } else {
+            pixels = self.pixels;
+            if pixels > 1 {
+                let way = pixels - 1;
+                self.at = self.at.plus(&self.step.times(way as i32));
+                self.value = self.at.divided(&self.block);
+                for ((step, to), from) in
+                    step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
+                {
+                    *step = part(to.wrapping_sub(*from), way);
+                }
             }
         }
         self.pixels -= pixels;
