@@ -69,7 +69,7 @@ fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
             (colors.split_off_mut(..pixels), cells.split_off_mut(..pixels))
         {
             let run = Run::<D, V>::of(depth, span.depth_step, piece);
-            run.draw(colors, cells, place, &mut pixel);
+            run.draw_pairs(colors, cells, place, &mut pixel);
         }
         place = place.right(pixels);
         depth = depth.wrapping_add(span.depth_step.wrapping_mul(pixels as i32));
@@ -180,14 +180,25 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     // passed to it if nobody reads them.
     #[inline(never)]
     fn draw_long<C: Copy, O: Outcome<C>>(
-        mut self,
+        self,
         colors: &mut [C],
         cells: &mut [D],
         column: i32,
         row: i32,
+        pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
+    ) {
+        self.draw_pairs(colors, cells, Place { column, row }, pixel);
+    }
+
+    /// Two pixels at a time.
+    #[inline(always)]
+    fn draw_pairs<C: Copy, O: Outcome<C>>(
+        mut self,
+        colors: &mut [C],
+        cells: &mut [D],
+        mut place: Place,
         mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
     ) {
-        let mut place = Place { column, row };
         let (color_pairs, last_color) = colors.as_chunks_mut::<2>();
         let (cell_pairs, last_cell) = cells.as_chunks_mut::<2>();
         for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
