@@ -74,7 +74,7 @@ pub trait Shader: Clone {
     /// What is computed from a material, once for its run of triangles.
     type Surface;
     /// What is computed from a triangle before its pixels are drawn: `()` for most shaders.
-    type Face: Default;
+    type Face: Default + Copy;
     /// The result for a pixel: the colour, or an `Option` of it in a shader that discards pixels.
     type Outcome: Outcome<Self::Color>;
 
