@@ -20,7 +20,10 @@
 
 use core::fmt::Debug;
 
-use super::quotient::{Corners, Quotient};
+use super::{
+    division::Division,
+    quotient::{Corners, Quotient},
+};
 use crate::{
     attribute::Components,
     numbers::{leading_zeros, mul_high, normalised},
@@ -28,74 +31,91 @@ use crate::{
 
 /// The length of steps: [`Every`] or [`Adaptive`].
 #[expect(private_bounds, reason = "it is sealed")]
-pub trait Pace: Copy + Debug + Law {}
+pub trait Pace: Copy + Debug + Rule {}
 
-impl<const N: u32> Pace for Every<N> {}
+impl<const N: usize> Pace for Every<N> {}
 impl<const TOLERANCE: u32> Pace for Adaptive<TOLERANCE> {}
 
 /// What determines the length of steps.
-pub(super) trait Law {
+pub(super) trait Rule {
     /// Whether straight lines from corner to corner are within the tolerance.
     fn is_affine<V: Components>(corners: &Corners<V>) -> bool;
 
-    /// What a triangle adds to the law: in eighths of a binary logarithm.
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> i32;
+    /// The law of a triangle.
+    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> Law;
 
-    /// The binary logarithm of a step's pixels in a span between these values of q.
-    fn log2_pixels<V: Components>(law: i32, ends: [u32; 2]) -> u32;
+    /// Whether 16 bits are enough for a division.
+    fn may_be_quick(law: &Law) -> bool;
+
+    /// The pixels of a step in a span between these values of q, 1 to 64.
+    fn pixels<V: Components>(law: &Law, division: &Division<V>, ends: [u32; 2]) -> usize;
 }
 
-/// At every `N`-th pixel of a span and at its last one; straight between them. `N` is a power of
-/// two from 2 to 64.
+/// At every `N`-th pixel of a span and at its last one; straight between them. `N` is 2 to 64.
 ///
 /// The straight line is off by up to e = |du| |√r - 1| / (√r + 1), where du is the change of the
 /// number over a step and r the ratio of 1 / w at its ends. For a wall that recedes to twice its
 /// distance over 320 pixels, with 64 texels to a unit of depth, that is 0.07 texels with `N` = 16;
 /// for one that recedes to ten times its distance, 18 texels: [`Adaptive`] keeps a bound there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Every<const N: u32>;
+pub struct Every<const N: usize>;
 
-impl<const N: u32> Every<N> {
-    const LOG2: u32 = {
-        assert!(N.is_power_of_two() && N >= 2 && N <= 64, "N is a power of two from 2 to 64");
-        N.trailing_zeros()
-    };
-}
-
-impl<const N: u32> Law for Every<N> {
+impl<const N: usize> Rule for Every<N> {
     #[inline(always)]
     fn is_affine<V: Components>(_: &Corners<V>) -> bool {
         false
     }
 
     #[inline(always)]
-    fn of<V: Components>(_: &Corners<V>, _: &Quotient<V>, _: u32) -> i32 {
-        0
+    fn of<V: Components>(_: &Corners<V>, _: &Quotient<V>, _: u32) -> Law {
+        Law { eighths: 0, is_quick: false }
     }
 
     #[inline(always)]
-    fn log2_pixels<V: Components>(_: i32, _: [u32; 2]) -> u32 {
-        Self::LOG2
+    fn may_be_quick(_: &Law) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn pixels<V: Components>(_: &Law, _: &Division<V>, _: [u32; 2]) -> usize {
+        const { assert!(N >= 2 && N <= LONGEST, "N is 2 to 64") }
+        N
     }
 }
 
-/// As often as a tolerance needs it: the straight line between two divisions is within `TOLERANCE`
+/// The pixels of the longest step.
+const LONGEST: usize = 64;
+
+/// As often as a tolerance needs it: what is stepped between two divisions is within `TOLERANCE`
 /// sixteenths of a texel, or of a varying's unit. Steps have 1 to 64 pixels, chosen for each span;
 /// a triangle that stays within the tolerance without any division gets none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Adaptive<const TOLERANCE: u32 = 8>;
 
-/// The binary logarithm of the longest step.
-const LONGEST: i32 = 6;
-
 impl<const TOLERANCE: u32> Adaptive<TOLERANCE> {
     const LIMIT: u32 = {
-        assert!(TOLERANCE >= 1 && TOLERANCE <= 1 << 16, "the tolerance is 1 to 65,536 sixteenths");
+        assert!(TOLERANCE >= 1 && TOLERANCE <= 1 << 14, "the tolerance is 1 to 16,384 sixteenths");
         TOLERANCE
     };
+
+    /// Whether a range of numbers, in sixteenths of a unit, is divided within a quarter of the
+    /// tolerance in 16 bits. The quotient is off by 2^-15 for s, half of that for q, and half of
+    /// 2^-13.2 for the reciprocal: 2^-13.5, in units of twice to four times the range, 2^-11.5 of
+    /// it.
+    const fn is_quick(range: u32) -> bool {
+        range <= Self::LIMIT << 9
+    }
 }
 
-impl<const TOLERANCE: u32> Law for Adaptive<TOLERANCE> {
+/// What is found out once a triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Law {
+    /// In eighths of the binary logarithm of n^2 / qmin^3.
+    eighths: i32,
+    is_quick: bool,
+}
+
+impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
     #[inline(always)]
     fn is_affine<V: Components>(corners: &Corners<V>) -> bool {
         let [a, b, c] = corners.q;
@@ -104,12 +124,7 @@ impl<const TOLERANCE: u32> Law for Adaptive<TOLERANCE> {
         let spread = ((most - least) >> 15) + 1;
         let limit = 4 * u64::from(Self::LIMIT - 1) * u64::from(least >> 15);
         let limit = limit.min(u32::MAX.into()) as u32;
-        let [one, other] = &corners.differences;
-        let unit_bits = V::UNIT_BITS;
-        let each = one.as_ref().iter().zip(other.as_ref()).zip(unit_bits.as_ref());
-        for ((&d1, &d2), &unit_bits) in each {
-            let range = d1.max(d2).max(0) - d1.min(d2).min(0);
-            let sixteenths = (range as u32 >> (unit_bits - 4)) + 1;
+        for sixteenths in corners.sixteenths().as_ref() {
             if sixteenths >> 16 != 0 || sixteenths * spread > limit {
                 return false;
             }
@@ -117,8 +132,9 @@ impl<const TOLERANCE: u32> Law for Adaptive<TOLERANCE> {
         !V::READS_INVERSE_W || spread <= least >> 19
     }
 
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> i32 {
-        let mut law = i32::MAX;
+    #[inline(always)]
+    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> Law {
+        let mut eighths = i32::MAX;
         for (index, &unit_bits) in V::UNIT_BITS.as_ref().iter().enumerate() {
             // W at the corners, between which it is linear, by slopes shifted up to 31 bits.
             let [q_slope, slope] = quotient.slopes(index);
@@ -134,31 +150,58 @@ impl<const TOLERANCE: u32> Law for Adaptive<TOLERANCE> {
             // One for each product and one for the slopes' lost digits.
             let w = log2_above(widest + 3) + 8 * (32 - up as i32);
             let q = log2_above(q_slope.unsigned_abs() + 1);
-            // Seven eighths of the tolerance.
+            // Of the tolerance, an eighth is left for rounded steps and a quarter for divisions in
+            // 16 bits: 2^-0.68.
             let tolerance =
-                log2_below(Self::LIMIT) - 2 + 8 * (unit_bits as i32 - 4 - bits as i32 - 1);
-            law = law.min(16 + tolerance - w - q);
+                log2_below(Self::LIMIT) - 6 + 8 * (unit_bits as i32 - 4 - bits as i32 - 1);
+            eighths = eighths.min(16 + tolerance - w - q);
         }
-        law
+        let mut is_quick = true;
+        for &sixteenths in corners.sixteenths().as_ref() {
+            is_quick &= Self::is_quick(sixteenths);
+        }
+        Law { eighths, is_quick }
     }
 
     #[inline(always)]
-    fn log2_pixels<V: Components>(law: i32, [first, last]: [u32; 2]) -> u32 {
+    fn may_be_quick(law: &Law) -> bool {
+        law.is_quick
+    }
+
+    #[inline(always)]
+    fn pixels<V: Components>(law: &Law, division: &Division<V>, [first, last]: [u32; 2]) -> usize {
         // Rounding a step by half a digit adds up to an eighth of the tolerance at most.
         let longest = const {
             let log2 = Self::LIMIT.ilog2() as i32 + V::STEP_DIGITS as i32 - 6;
             if log2 < 0 {
-                0
-            } else if log2 > LONGEST {
+                1
+            } else if log2 > 6 {
                 LONGEST
             } else {
-                log2
+                1 << log2
             }
         };
-        let twice = law + 3 * log2_below(first.min(last));
-        (twice >> 4).max(0).min(longest) as u32
+        let q = log2_below(first.min(last).max(1)) - 8 * division.up as i32;
+        // In sixteenths of the binary logarithm of n.
+        let sixteenths = law.eighths + 3 * q;
+        let length = LENGTHS.get((sixteenths.max(0) >> 1) as usize);
+        length.map_or(LONGEST, |&length| usize::from(length)).min(longest)
     }
 }
+
+/// The whole part of 2^(n / 8).
+const LENGTHS: [u8; 48] = {
+    // 2^(n / 8) in Q20.
+    const EIGHTHS: [u32; 8] =
+        [1_048_576, 1_143_480, 1_246_974, 1_359_835, 1_482_910, 1_617_125, 1_763_488, 1_923_097];
+    let mut lengths = [0; 48];
+    let mut n = 0;
+    while n < 48 {
+        lengths[n] = (EIGHTHS[n % 8] << (n / 8) >> 20) as u8;
+        n += 1;
+    }
+    lengths
+};
 
 /// The binary logarithm of a positive number in eighths, not above it: log2(1 + m) >= m.
 #[inline(always)]

@@ -47,9 +47,9 @@ pub struct Quotient<V: Components> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block<V: Components> {
     /// The numbers of the first corner.
-    base: V::Each<i32>,
+    pub(super) base: V::Each<i32>,
     /// 30 - k.
-    down: u32,
+    pub(super) down: u32,
     /// The leading zeros of the largest q.
     zeros: u32,
 }
@@ -100,6 +100,19 @@ impl<V: Components> Corners<V> {
         let all = one.as_ref().iter().chain(other.as_ref());
         let magnitudes = all.fold(1, |bits, d| bits | (d ^ (d >> 31)) as u32);
         32 - leading_zeros(magnitudes)
+    }
+
+    /// The range of each number, in sixteenths of a unit, rounded up.
+    #[inline(always)]
+    pub(super) fn sixteenths(&self) -> V::Each<u32> {
+        let mut ranges = V::UNIT_BITS;
+        let [one, other] = &self.differences;
+        for ((range, &d1), &d2) in ranges.as_mut().iter_mut().zip(one.as_ref()).zip(other.as_ref())
+        {
+            let distance = d1.max(d2).max(0) - d1.min(d2).min(0);
+            *range = (distance as u32 >> (*range - 4)) + 1;
+        }
+        ranges
     }
 
     /// The numerators of one number at all corners.
