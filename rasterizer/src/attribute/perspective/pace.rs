@@ -42,13 +42,19 @@ pub(super) trait Rule {
     fn is_affine<V: Components>(corners: &Corners<V>) -> bool;
 
     /// The law of a triangle.
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> Law;
+    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V>;
 
     /// Whether 16 bits are enough for a division.
-    fn may_be_quick(law: &Law) -> bool;
+    fn may_be_quick<V: Components>(law: &Law<V>) -> bool;
 
-    /// The pixels of a step in a span between these values of q, 1 to 64.
-    fn pixels<V: Components>(law: &Law, division: &Division<V>, ends: [u32; 2]) -> usize;
+    /// The pixels of a step, 1 to 64, in a span this many rows below the anchor between these values
+    /// of q.
+    fn pixels<V: Components>(
+        law: &Law<V>,
+        division: &Division<V>,
+        rows: i32,
+        ends: [u32; 2],
+    ) -> usize;
 }
 
 /// At every `N`-th pixel of a span and at its last one; straight between them. `N` is 2 to 64.
@@ -67,17 +73,17 @@ impl<const N: usize> Rule for Every<N> {
     }
 
     #[inline(always)]
-    fn of<V: Components>(_: &Corners<V>, _: &Quotient<V>, _: u32) -> Law {
-        Law { eighths: 0, is_quick: false }
+    fn of<V: Components>(_: &Corners<V>, _: &Quotient<V>) -> Law<V> {
+        Law { w: V::each([0; 2]), level: 0, is_quick: false }
     }
 
     #[inline(always)]
-    fn may_be_quick(_: &Law) -> bool {
+    fn may_be_quick<V: Components>(_: &Law<V>) -> bool {
         false
     }
 
     #[inline(always)]
-    fn pixels<V: Components>(_: &Law, _: &Division<V>, _: [u32; 2]) -> usize {
+    fn pixels<V: Components>(_: &Law<V>, _: &Division<V>, _: i32, _: [u32; 2]) -> usize {
         const { assert!(N >= 2 && N <= LONGEST, "N is 2 to 64") }
         N
     }
@@ -98,20 +104,22 @@ impl<const TOLERANCE: u32> Adaptive<TOLERANCE> {
         TOLERANCE
     };
 
-    /// Whether a range of numbers, in sixteenths of a unit, is divided within a quarter of the
+    /// Whether a range of numbers, in sixteenths of a unit, is divided within a eighth of the
     /// tolerance in 16 bits. The quotient is off by 2^-15 for s, half of that for q, and half of
     /// 2^-13.2 for the reciprocal: 2^-13.5, in units of twice to four times the range, 2^-11.5 of
     /// it.
     const fn is_quick(range: u32) -> bool {
-        range <= Self::LIMIT << 9
+        range <= Self::LIMIT << 8
     }
 }
 
 /// What is found out once a triangle.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Law {
-    /// In eighths of the binary logarithm of n^2 / qmin^3.
-    eighths: i32,
+pub(super) struct Law<V: Components> {
+    /// W of each number in the row of the first corner, and its change from row to row.
+    w: V::Each<[i32; 2]>,
+    /// In 32nds of the binary logarithm of n^2 W / qmin^3.
+    level: i32,
     is_quick: bool,
 }
 
@@ -133,43 +141,57 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
     }
 
     #[inline(always)]
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> Law {
-        let mut eighths = i32::MAX;
-        for (index, &unit_bits) in V::UNIT_BITS.as_ref().iter().enumerate() {
-            // W at the corners, between which it is linear, by slopes shifted up to 31 bits.
-            let [q_slope, slope] = quotient.slopes(index);
-            let magnitude = (q_slope ^ (q_slope >> 31)) | (slope ^ (slope >> 31));
-            let up = leading_zeros(magnitude as u32 | 1) - 1;
-            let (q_up, s_up) = (q_slope << up, slope << up);
-            let numerators = corners.numerators(index, bits);
-            let mut widest = 0;
-            for (&q, s) in corners.q.iter().zip(numerators) {
-                let w = mul_high(q as i32, s_up).wrapping_sub(mul_high(s, q_up));
-                widest = widest.max(w.unsigned_abs());
-            }
-            // One for each product and one for the slopes' lost digits.
-            let w = log2_above(widest + 3) + 8 * (32 - up as i32);
-            let q = log2_above(q_slope.unsigned_abs() + 1);
-            // Of the tolerance, an eighth is left for rounded steps and a quarter for divisions in
-            // 16 bits: 2^-0.68.
-            let tolerance =
-                log2_below(Self::LIMIT) - 6 + 8 * (unit_bits as i32 - 4 - bits as i32 - 1);
-            eighths = eighths.min(16 + tolerance - w - q);
+    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V> {
+        let [along, down] = quotient.q_slopes();
+        let mut magnitude = along.unsigned_abs();
+        let numerators = quotient.numerator_slopes();
+        for [along, _] in numerators.as_ref() {
+            magnitude |= along.unsigned_abs();
         }
+        // Slopes along a row, shifted up to 30 bits.
+        let up = (leading_zeros(magnitude | 1) - 1).max(1) - 1;
+        // The least digits that a unit has: errors of the other numbers count for less.
+        let mut least_bits = u32::MAX;
+        for &bits in V::UNIT_BITS.as_ref() {
+            least_bits = least_bits.min(bits);
+        }
+        let mut w = V::each([0; 2]);
+        let unit_bits = V::UNIT_BITS;
+        for ((w, [s_along, s_down]), bits) in
+            w.as_mut().iter_mut().zip(numerators.as_ref()).zip(unit_bits.as_ref())
+        {
+            // At the first corner s is 0.
+            let s_along = s_along << up;
+            let (at_corner, by_row) =
+                (mul_high(corners.q[0] as i32, s_along), mul_high(down, s_along));
+            let change = by_row.wrapping_sub(mul_high(*s_down, along << up));
+            *w = [at_corner, change].map(|w| w >> (bits - least_bits));
+        }
+        // Of the tolerance, an eighth is left for rounded steps and an eighth for divisions in 16
+        // bits: 2^-0.42. The numerators are in units of 2^(k + 1) = 2^(31 - down).
+        let tolerance = log2_below(Self::LIMIT) - 14;
+        let units = 32 * (least_bits as i32 - 4 - (31 - quotient.block.down as i32));
+        let slope = log2_above(along.unsigned_abs() + 1);
+        let level = 64 + tolerance + units - slope - 32 * (32 - up as i32);
         let mut is_quick = true;
         for &sixteenths in corners.sixteenths().as_ref() {
             is_quick &= Self::is_quick(sixteenths);
         }
-        Law { eighths, is_quick }
+        Law { w, level, is_quick }
     }
 
     #[inline(always)]
-    fn may_be_quick(law: &Law) -> bool {
+    fn may_be_quick<V: Components>(law: &Law<V>) -> bool {
         law.is_quick
     }
 
     #[inline(always)]
-    fn pixels<V: Components>(law: &Law, division: &Division<V>, [first, last]: [u32; 2]) -> usize {
+    fn pixels<V: Components>(
+        law: &Law<V>,
+        division: &Division<V>,
+        rows: i32,
+        [first, last]: [u32; 2],
+    ) -> usize {
         // Rounding a step by half a digit adds up to an eighth of the tolerance at most.
         let longest = const {
             let log2 = Self::LIMIT.ilog2() as i32 + V::STEP_DIGITS as i32 - 6;
@@ -181,10 +203,18 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
                 1 << log2
             }
         };
-        let q = log2_below(first.min(last).max(1)) - 8 * division.up as i32;
-        // In sixteenths of the binary logarithm of n.
-        let sixteenths = law.eighths + 3 * q;
-        let length = LENGTHS.get((sixteenths.max(0) >> 1) as usize);
+        let mut widest = 0;
+        for &[w, change] in law.w.as_ref() {
+            // The corner lies within half a row of the anchor.
+            let here = w.wrapping_add(change.wrapping_mul(rows)).unsigned_abs();
+            widest = widest.max(here.wrapping_add(change.unsigned_abs() / 2));
+        }
+        // Products and slopes are off by 3 together, their changes by 3 a row.
+        let w = log2_above(widest.saturating_add(3 + 3 * rows.unsigned_abs()));
+        let q = log2_below(first.min(last).max(1)) - 32 * division.up as i32;
+        // In 64ths of the binary logarithm of n.
+        let level = law.level + 3 * q - w;
+        let length = LENGTHS.get((level.max(0) >> 3) as usize);
         length.map_or(LONGEST, |&length| usize::from(length)).min(longest)
     }
 }
@@ -203,16 +233,42 @@ const LENGTHS: [u8; 48] = {
     lengths
 };
 
-/// The binary logarithm of a positive number in eighths, not above it: log2(1 + m) >= m.
+/// 32 log2(1 + n / 32), rounded down.
+const LOGARITHMS: [u8; 32] = [
+    0, 1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 25, 26,
+    27, 28, 28, 29, 30, 31,
+];
+
+/// The binary logarithm of a positive number in 32nds, not above it.
 #[inline(always)]
 const fn log2_below(value: u32) -> i32 {
     let (mantissa, zeros) = normalised(value);
-    8 * (31 - zeros as i32) + (mantissa >> 28 & 7) as i32
+    32 * (31 - zeros as i32) + LOGARITHMS[(mantissa >> 26 & 31) as usize] as i32
 }
 
-/// The same, not below it: log2(1 + m) < m + 0.0861.
+/// The same, not below it: a step of the mantissa is up to 1.43, and rounding up to 1.
 #[inline(always)]
 const fn log2_above(value: u32) -> i32 {
-    // An eighth for the digits of the mantissa that are dropped, and another for the curve.
-    log2_below(value) + 2
+    log2_below(value) + 3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithms_are_bounds() {
+        for value in (1..1 << 20).chain((0..1 << 20).map(|n| u32::MAX - n * 4095)) {
+            let exact = 32.0 * f64::from(value).log2();
+            assert!(f64::from(log2_below(value)) <= exact, "{value}");
+            assert!(f64::from(log2_above(value)) >= exact, "{value}");
+        }
+    }
+
+    #[test]
+    fn lengths_are_powers() {
+        for (n, &length) in LENGTHS.iter().enumerate() {
+            assert_eq!(u32::from(length), (n as f64 / 8.0).exp2() as u32, "{n}");
+        }
+    }
 }

@@ -149,11 +149,32 @@ impl<V: Components> Quotient<V> {
         }
     }
 
-    /// The changes of q and of a numerator along a row, in whole units.
+    /// The changes of q along a row and down the rows, in whole units.
     #[inline(always)]
-    pub(super) fn slopes(&self, index: usize) -> [i32; 2] {
-        [self.q, self.numerators.as_ref()[index]].map(|plane| (plane.per_column >> 32) as i32)
+    pub(super) const fn q_slopes(&self) -> [i32; 2] {
+        slopes(&self.q)
     }
+
+    /// The same of the numerators.
+    #[inline(always)]
+    pub(super) fn numerator_slopes(&self) -> V::Each<[i32; 2]> {
+        let mut all = V::each([0; 2]);
+        for (to, plane) in all.as_mut().iter_mut().zip(self.numerators.as_ref()) {
+            *to = slopes(plane);
+        }
+        all
+    }
+
+    /// From the anchor's row to another.
+    #[inline(always)]
+    pub(super) const fn rows(&self, row: i32) -> i32 {
+        row.wrapping_add(self.to_first[1])
+    }
+}
+
+#[inline(always)]
+const fn slopes(plane: &Wide) -> [i32; 2] {
+    [upper(plane.per_column), upper(plane.per_row)]
 }
 
 /// The plane of a number with a sign, of magnitude below 2^31.
@@ -179,9 +200,9 @@ impl<V: Components> Quotient<V> {
     /// 1 / w and the numerators at the pixel at an address of a row.
     #[inline(always)]
     pub(super) fn at(&self, [address, row]: [i32; 2]) -> AtPixel<V> {
-        let [column, first_row] = self.to_first;
+        let [column, _] = self.to_first;
         let columns = address.wrapping_add(column).wrapping_sub(row.wrapping_mul(self.pitch));
-        let rows = row.wrapping_add(first_row);
+        let rows = self.rows(row);
         let mut numerators = V::WIDE_ZEROS;
         for (value, plane) in numerators.as_mut().iter_mut().zip(self.numerators.as_ref()) {
             *value = at(plane, columns, rows);

@@ -44,7 +44,7 @@ pub enum SteppedField<V: Components> {
     Affine(V::Field, InverseW),
     /// Divided, by the law of the steps' lengths.
     #[expect(private_interfaces, reason = "only its steps know it")]
-    Divided(Quotient<V>, Law),
+    Divided(Quotient<V>, Law<V>),
 }
 
 impl<V: Components> Field for SteppedField<V> {
@@ -79,7 +79,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         }
         let bits = corners.bits();
         let quotient = Quotient::new(setup, quick, &corners, bits);
-        let law = P::of(&corners, &quotient, bits);
+        let law = P::of(&corners, &quotient);
         SteppedField::Divided(quotient, law)
     }
 
@@ -234,11 +234,12 @@ pub struct Pieces<V: Components> {
 impl<V: Components> Pieces<V> {
     /// From the first pixel of a span.
     #[inline(always)]
-    fn new<P: Pace>(field: &Quotient<V>, law: &Law, at: [i32; 2], pixels: usize) -> Self {
+    fn new<P: Pace>(field: &Quotient<V>, law: &Law<V>, at: [i32; 2], pixels: usize) -> Self {
+        let rows = field.rows(at[1]);
         let (at, step, division) = field.along_span(at, pixels);
         let last = at.q.wrapping_add(step.q.wrapping_mul(pixels as u32 - 1));
         let division = division.quick_if(P::may_be_quick(law), [at.q, last]);
-        let length = P::pixels::<V>(law, &division, [at.q, last]);
+        let length = P::pixels(law, &division, rows, [at.q, last]);
         Self {
             value: division.numbers(&at),
             at,
