@@ -13,15 +13,22 @@ mod flat;
 mod gouraud;
 mod light;
 mod lit;
-mod outcome;
 mod ramp;
+mod skin;
+mod textured;
+mod textured_flat;
+mod textured_gouraud;
 
 pub use flat::{Flat, Unlit};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};
-pub use outcome::Outcome;
 pub use ramp::Ramp;
+pub use skin::{Covered, Slot, VertexCoordinates};
+pub use textured::Textured;
+pub use textured_flat::TexturedFlat;
+pub use textured_gouraud::TexturedGouraud;
 
+pub use crate::texture::Outcome;
 use crate::{
     attribute::{Interpolate, Varyings},
     geometry::Pose,
