@@ -81,7 +81,7 @@ pub trait Shader: Clone {
     /// What is computed from a material, once for its run of triangles.
     type Surface;
     /// What is computed from a triangle before its pixels are drawn: `()` for most shaders.
-    type Face: Default;
+    type Face: Default + Copy;
     /// The result for a pixel: the colour, or an `Option` of it in a shader that discards pixels.
     type Outcome: Outcome<Self::Color>;
 
@@ -130,7 +130,7 @@ pub trait Shader: Clone {
         &self,
         surface: &Self::Surface,
         face: Self::Face,
-    ) -> impl Fn(Fragment<Sample<Self>>) -> Self::Outcome {
+    ) -> impl Fn(Fragment<Sample<Self>>) -> Self::Outcome + Copy {
         move |fragment| self.pixel(surface, &face, fragment)
     }
 }

@@ -135,7 +135,7 @@ where
         &self,
         surface: &Self::Surface,
         face: Self::Face,
-    ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> {
+    ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> + Copy {
         let Covered { slot, color } = *surface;
         move |fragment| {
             slot.texture_or(

@@ -189,12 +189,22 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
     }
 
     #[inline(always)]
+    fn whole(field: &Self::Field, at: [i32; 2], pixels: usize) -> Option<Piece<Self::Walk>> {
+        (pixels <= Anchored::<T, W, H, X, Y>::LONGEST).then(|| Self::walk(field, at, pixels).0)
+    }
+
+    #[inline(always)]
     fn walk(
-        first: [T::Value; 2],
-        change: [T::Value; 2],
+        field: &Self::Field,
+        [address, row]: [i32; 2],
         pixels: usize,
     ) -> (Piece<Self::Walk>, Self::Rest) {
-        let mut rest = Anchored { first, change, pixels, wrap: PhantomData };
+        let mut rest = Anchored {
+            first: field.at(address, row),
+            change: field.per_column,
+            pixels,
+            wrap: PhantomData,
+        };
         (rest.piece(), rest)
     }
 

@@ -3,8 +3,7 @@
 use super::{CoordinateFormat, Coordinates, Wrap};
 use crate::{
     attribute::{
-        Change, Components, First, Interpolate, InverseW, Piece, QuickGradients, TriangleSetup,
-        Varyings,
+        Components, Interpolate, InverseW, Piece, QuickGradients, TriangleSetup, Varyings,
     },
     numbers::Subpixel,
 };
@@ -73,8 +72,13 @@ impl<V: TextureVarying> Interpolate for WithInverseW<V> {
     }
 
     #[inline(always)]
-    fn walk(first: First<V>, change: Change<V>, pixels: usize) -> (Piece<V::Walk>, V::Rest) {
-        V::walk(first, change, pixels)
+    fn whole(field: &V::Field, at: [i32; 2], pixels: usize) -> Option<Piece<V::Walk>> {
+        V::whole(field, at, pixels)
+    }
+
+    #[inline(always)]
+    fn walk(field: &V::Field, at: [i32; 2], pixels: usize) -> (Piece<V::Walk>, V::Rest) {
+        V::walk(field, at, pixels)
     }
 
     #[inline(always)]
