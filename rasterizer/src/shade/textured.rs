@@ -162,8 +162,8 @@ mod tests {
         attribute::{Affine, Every, EveryPixel},
         scene::ProjectError,
         texture::{
-            Bilinear, Clamp, Colors, Indexed, Keyed, Mipmaps, NearestMip, PerPixel, PerTriangle,
-            Repeat, Texture, Trilinear, Wrap,
+            Bilinear, Clamp, ColorSlice, Colors, DynamicTexture, Indexed, Keyed, Mipmaps,
+            NearestMip, PerPixel, PerTriangle, Repeat, Texture, Trilinear, Wrap,
         },
     };
 
@@ -211,6 +211,13 @@ mod tests {
         type Places<'a> = Indexed<'a, Gray8, 4, 8, 16>;
         let indexed: Picture<Places<'_>> = [Some(Texture::new(Indexed::new(&PLACES, &GRAYS)))];
         assert!(is_enlarged(&drawn(&Textured::new(&indexed), false).unwrap()));
+    }
+
+    #[test]
+    fn sizes_may_be_known_at_run_time() {
+        let texels = ColorSlice::new(&GRAYS).unwrap();
+        let texture: DynamicTexture<_> = DynamicTexture::new(texels, 4, 4).unwrap();
+        assert!(is_enlarged(&drawn(&Textured::new(&[texture]), false).unwrap()));
     }
 
     #[test]
