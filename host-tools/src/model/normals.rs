@@ -50,10 +50,11 @@ pub(super) fn corner_normals(
     crease: f64,
 ) -> Vec<[Vector; 3]> {
     let faces: Vec<Vector> = triangles.iter().map(|t| face_normal(places(t, positions))).collect();
+    let has_area: Vec<bool> = triangles.iter().map(|t| has_area(places(t, positions))).collect();
     let mut around: Vec<Vec<(usize, f64)>> = vec![Vec::new(); positions.len()];
     for (face, triangle) in triangles.iter().enumerate() {
         // The normal of a triangle without area is noise.
-        if !has_area(places(triangle, positions)) {
+        if !has_area[face] {
             continue;
         }
         for corner in 0..3 {
@@ -70,22 +71,26 @@ pub(super) fn corner_normals(
             (position, CapTree::new(normals.collect()))
         })
         .collect();
+    // Where all faces are within the crease of each other, their sum serves each of them.
+    let shared: Vec<Option<Vector>> =
+        around.iter().map(|around| shared_normal(around, &faces, crease)).collect();
     let sum_of = |face: usize, position: u32| {
         if let Some(tree) = trees.get(&position) {
             return tree.sum(faces[face], least);
         }
-        let (mut sum, mut weight) = ([0.0; 3], 0.0);
-        for &(other, opening) in &around[position as usize] {
-            if dot(faces[other], faces[face]) >= least {
-                sum = add(sum, scaled(faces[other], opening));
-                weight += opening;
-            }
-        }
-        (sum, weight)
+        sum(
+            around[position as usize]
+                .iter()
+                .filter(|&&(other, _)| dot(faces[other], faces[face]) >= least),
+            &faces,
+        )
     };
     let smooth = |face: usize, position: u32| {
-        let (sum, weight) = sum_of(face, position);
-        mean(sum, weight).unwrap_or(faces[face])
+        let shared = shared[position as usize].filter(|_| has_area[face]);
+        shared.unwrap_or_else(|| {
+            let (sum, weight) = sum_of(face, position);
+            mean(sum, weight).unwrap_or(faces[face])
+        })
     };
     triangles
         .iter()
@@ -96,6 +101,25 @@ pub(super) fn corner_normals(
                 .map(|c| normalized(c.normal).unwrap_or_else(|| smooth(face, c.position)))
         })
         .collect()
+}
+
+/// The weighted sum of the normals of faces, and of their weights.
+fn sum<'a>(around: impl Iterator<Item = &'a (usize, f64)>, faces: &[Vector]) -> (Vector, f64) {
+    around.fold(([0.0; 3], 0.0), |(sum, weight), &(face, opening)| {
+        (add(sum, scaled(faces[face], opening)), weight + opening)
+    })
+}
+
+/// The mean of all faces round a position if none is turned by more than half the crease from it:
+/// then each includes all others. `None` also where a tree sums them.
+fn shared_normal(around: &[(usize, f64)], faces: &[Vector], crease: f64) -> Option<Vector> {
+    if around.len() > CROWD {
+        return None;
+    }
+    let (sum, weight) = sum(around.iter(), faces);
+    let mean = mean(sum, weight)?;
+    let least = (crease / 2.0).cos() + 1e-9;
+    around.iter().all(|&(face, _)| dot(faces[face], mean) >= least).then_some(mean)
 }
 
 #[cfg(test)]
