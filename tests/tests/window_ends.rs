@@ -1,7 +1,7 @@
 //! Windows, layouts and frames at the ends of `i32`: no overflow, and the pixels that lie in both
 //! the window and the triangle.
 
-use std::{collections::BTreeSet, convert::Infallible};
+use std::convert::Infallible;
 
 use embedded_graphics::{
     geometry::{Point, Size},
@@ -139,36 +139,25 @@ fn addresses_count_modulo_2_32() {
     assert!(drawn > 5_000, "{drawn}");
 }
 
-/// Draws a triangle into a frame, by the frame's own window, and returns the places drawn.
-fn draw(frame: &mut Frame<'_, Gray8, NoDepth>, expected: &mut usize) -> BTreeSet<(i32, i32)> {
-    let mut places = BTreeSet::new();
-    let window = frame.window();
-    for_each_triangle::<S8>(|triangle| {
-        let Ok(()) = frame.shade(triangle, &window, |fragment| {
-            places.insert((fragment.column, fragment.row));
-            Gray8::WHITE
-        });
-        *expected += 1;
-    });
-    places
-}
-
 #[test]
 fn frames_at_the_ends_have_no_pixel_of_a_triangle() {
-    let (mut frames, mut triangles) = (0, 0);
+    let mut drawn = 0;
     for x in ENDS {
         for y in ENDS {
             let mut color = [Gray8::BLACK; 24];
             let area = Rectangle::new(Point::new(x, y), Size::new(8, 3));
             let mut frame = Frame::without_depth(&mut color, area).unwrap();
-            let places = draw(&mut frame, &mut triangles);
+            let window = frame.window();
+            for_each_triangle::<S8>(|triangle| {
+                let Ok(()) = frame.shade(triangle, &window, |_| Gray8::WHITE);
+            });
             let is_near = [x, y].into_iter().all(|c| (-5..5).contains(&c));
-            assert_eq!(places.len(), if is_near { 24 } else { 0 }, "{area:?}");
-            assert_eq!(color.iter().filter(|&&pixel| pixel == Gray8::WHITE).count(), places.len());
-            frames += 1;
+            let white = color.iter().filter(|&&pixel| pixel == Gray8::WHITE).count();
+            assert_eq!(white, if is_near { 24 } else { 0 }, "{area:?}");
+            drawn += white;
         }
     }
-    assert_eq!((frames, triangles), (169, 169 * TRIANGLES.len()));
+    assert_eq!(drawn, 9 * 24);
 }
 
 #[test]

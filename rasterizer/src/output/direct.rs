@@ -94,7 +94,7 @@ impl<T: DrawTarget> Target for Direct<'_, T> {
         &mut self,
         primitive: &Q,
         window: &Window,
-        mut pixel: impl FnMut(FragmentOf<Q>) -> O,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), T::Error> {
         let layout = columns(window);
         primitive.for_each_span(window, layout, |span| {

@@ -23,7 +23,7 @@ pub(super) fn draw<C: Copy, Q: Primitive, O: Outcome<C>>(
     primitive: &Q,
     window: &Window,
     layout: Layout,
-    mut pixel: impl FnMut(C, FragmentOf<Q>) -> O,
+    pixel: impl Fn(C, FragmentOf<Q>) -> O + Copy,
 ) -> Result<(), Infallible> {
     // Of one length, they share the test of a span's end.
     let pixels = colors.len().min(cells.len());
@@ -37,10 +37,10 @@ pub(super) fn draw<C: Copy, Q: Primitive, O: Outcome<C>>(
                     (colors.get_mut(span.start..span.end), cells.get_mut(span.start..span.end))
                 {
                     let run = Run::<Q::Depth, Q::Varyings>::of(span.depth, span.depth_step, piece);
-                    run.draw(colors, cells, Place::of(span, layout), &mut pixel);
+                    run.draw(colors, cells, Place::of(span, layout), pixel);
                 }
             }
-            None => draw_pieces(colors, cells, span, Place::of(span, layout), &mut pixel),
+            None => draw_pieces(colors, cells, span, Place::of(span, layout), pixel),
         }
         Ok(())
     })
@@ -54,7 +54,7 @@ fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
     cells: &mut [D],
     span: &Span<'_, D, V>,
     mut place: Place,
-    mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
+    pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
 ) {
     let (Some(mut colors), Some(mut cells)) =
         (colors.get_mut(span.start..span.end), cells.get_mut(span.start..span.end))
@@ -69,7 +69,7 @@ fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
             (colors.split_off_mut(..pixels), cells.split_off_mut(..pixels))
         {
             let run = Run::<D, V>::of(depth, span.depth_step, piece);
-            run.draw_pairs(colors, cells, place, &mut pixel);
+            run.draw_pairs(colors, cells, place, pixel);
         }
         place = place.right(pixels);
         depth = depth.wrapping_add(span.depth_step.wrapping_mul(pixels as i32));
@@ -158,7 +158,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         colors: &mut [C],
         cells: &mut [D],
         place: Place,
-        mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         if cells.len() >= LONG_RUN {
             self.draw_long(colors, cells, place.column, place.row, pixel);
@@ -171,7 +171,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
             let (Some(color), Some(cell)) = (colors.get_mut(index), cells.get_mut(index)) else {
                 break;
             };
-            self.draw_pixel(color, cell, place.right(index), &mut pixel);
+            self.draw_pixel(color, cell, place.right(index), pixel);
         }
     }
 
@@ -185,7 +185,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         cells: &mut [D],
         column: i32,
         row: i32,
-        pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         self.draw_pairs(colors, cells, Place { column, row }, pixel);
     }
@@ -197,18 +197,18 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         colors: &mut [C],
         cells: &mut [D],
         mut place: Place,
-        mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         let (color_pairs, last_color) = colors.as_chunks_mut::<2>();
         let (cell_pairs, last_cell) = cells.as_chunks_mut::<2>();
         for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
             codegen::keep_rolled();
-            self.draw_pixel(color, cell, place, &mut pixel);
-            self.draw_pixel(next_color, next_cell, place.right(1), &mut pixel);
+            self.draw_pixel(color, cell, place, pixel);
+            self.draw_pixel(next_color, next_cell, place.right(1), pixel);
             place = place.right(2);
         }
         for (color, cell) in last_color.iter_mut().zip(last_cell) {
-            self.draw_pixel(color, cell, place, &mut pixel);
+            self.draw_pixel(color, cell, place, pixel);
         }
     }
 
@@ -219,7 +219,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         color: &mut C,
         cell: &mut D,
         place: Place,
-        pixel: &mut impl FnMut(C, Fragment<V::Sample>) -> O,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         let here = *self;
         self.step();

@@ -4,6 +4,7 @@
 //! quotient (Blinn, *Hyperbolic Interpolation*, IEEE CG&A 12(4), 1992). The type of the mode says
 //! at which pixels it is divided.
 
+mod division;
 mod every_pixel;
 mod linear;
 mod pace;

@@ -47,9 +47,9 @@ pub struct Quotient<V: Components> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block<V: Components> {
     /// The numbers of the first corner.
-    base: V::Each<i32>,
+    pub(super) base: V::Each<i32>,
     /// 30 - k.
-    down: u32,
+    pub(super) down: u32,
     /// The leading zeros of the largest q.
     zeros: u32,
 }
@@ -102,6 +102,19 @@ impl<V: Components> Corners<V> {
         32 - leading_zeros(magnitudes)
     }
 
+    /// The range of each number, in sixteenths of a unit, rounded up.
+    #[inline(always)]
+    pub(super) fn sixteenths(&self) -> V::Each<u32> {
+        let mut ranges = V::UNIT_BITS;
+        let [one, other] = &self.differences;
+        for ((range, &d1), &d2) in ranges.as_mut().iter_mut().zip(one.as_ref()).zip(other.as_ref())
+        {
+            let distance = d1.max(d2).max(0) - d1.min(d2).min(0);
+            *range = (distance as u32 >> (*range - 4)) + 1;
+        }
+        ranges
+    }
+
     /// The numerators of one number at all corners.
     #[inline(always)]
     pub(super) fn numerators(&self, index: usize, bits: u32) -> [i32; 3] {
@@ -136,11 +149,32 @@ impl<V: Components> Quotient<V> {
         }
     }
 
-    /// The changes of q and of a numerator along a row, in whole units.
+    /// The changes of q along a row and down the rows, in whole units.
     #[inline(always)]
-    pub(super) fn slopes(&self, index: usize) -> [i32; 2] {
-        [self.q, self.numerators.as_ref()[index]].map(|plane| (plane.per_column >> 32) as i32)
+    pub(super) const fn q_slopes(&self) -> [i32; 2] {
+        slopes(&self.q)
     }
+
+    /// The same of the numerators.
+    #[inline(always)]
+    pub(super) fn numerator_slopes(&self) -> V::Each<[i32; 2]> {
+        let mut all = V::each([0; 2]);
+        for (to, plane) in all.as_mut().iter_mut().zip(self.numerators.as_ref()) {
+            *to = slopes(plane);
+        }
+        all
+    }
+
+    /// From the anchor's row to another.
+    #[inline(always)]
+    pub(super) const fn rows(&self, row: i32) -> i32 {
+        row.wrapping_add(self.to_first[1])
+    }
+}
+
+#[inline(always)]
+const fn slopes(plane: &Wide) -> [i32; 2] {
+    [upper(plane.per_column), upper(plane.per_row)]
 }
 
 /// The plane of a number with a sign, of magnitude below 2^31.
@@ -166,9 +200,9 @@ impl<V: Components> Quotient<V> {
     /// 1 / w and the numerators at the pixel at an address of a row.
     #[inline(always)]
     pub(super) fn at(&self, [address, row]: [i32; 2]) -> AtPixel<V> {
-        let [column, first_row] = self.to_first;
+        let [column, _] = self.to_first;
         let columns = address.wrapping_add(column).wrapping_sub(row.wrapping_mul(self.pitch));
-        let rows = row.wrapping_add(first_row);
+        let rows = self.rows(row);
         let mut numerators = V::WIDE_ZEROS;
         for (value, plane) in numerators.as_mut().iter_mut().zip(self.numerators.as_ref()) {
             *value = at(plane, columns, rows);

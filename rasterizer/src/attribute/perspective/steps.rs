@@ -3,8 +3,10 @@
 use core::marker::PhantomData;
 
 use super::{
-    AtPixel, Corrected, Correction, Pace, Quotient,
-    quotient::{Block, Corners},
+    Corrected, Correction, Pace, Quotient,
+    division::{Division, Scaled},
+    pace::Law,
+    quotient::Corners,
 };
 use crate::{
     attribute::{
@@ -41,7 +43,8 @@ pub enum SteppedField<V: Components> {
     /// Linear on the screen.
     Affine(V::Field, InverseW),
     /// Divided, by the law of the steps' lengths.
-    Divided(Quotient<V>, i32),
+    #[expect(private_interfaces, reason = "only its steps know it")]
+    Divided(Quotient<V>, Law<V>),
 }
 
 impl<V: Components> Field for SteppedField<V> {
@@ -76,7 +79,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         }
         let bits = corners.bits();
         let quotient = Quotient::new(setup, quick, &corners, bits);
-        let law = P::of(&corners, &quotient, bits);
+        let law = P::of(&corners, &quotient);
         SteppedField::Divided(quotient, law)
     }
 
@@ -106,7 +109,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
                 (SteppedWalk::affine(piece, *inverse_w), Rest::Affine(rest, *inverse_w))
             }
             SteppedField::Divided(field, law) => {
-                let mut pieces = Pieces::new::<P>(field, *law, at, pixels);
+                let mut pieces = Pieces::new::<P>(field, law, at, pixels);
                 (pieces.piece(), Rest::Divided(pieces))
             }
         }
@@ -126,7 +129,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
                 });
             }
             SteppedField::Divided(field, law) => {
-                let mut pieces = Pieces::new::<P>(field, *law, at, pixels);
+                let mut pieces = Pieces::new::<P>(field, law, at, pixels);
                 while pieces.pixels != 0 {
                     visit(pieces.piece());
                 }
@@ -217,12 +220,13 @@ impl<V: Components> Iterator for Rest<V> {
 pub struct Pieces<V: Components> {
     /// The numbers at the next pixel.
     value: V::Each<i32>,
-    at: AtPixel<V>,
-    step: AtPixel<V>,
-    /// 2^`log2_pixels` steps.
-    stride: AtPixel<V>,
-    block: Block<V>,
-    log2_pixels: u32,
+    at: Scaled<V>,
+    /// From a pixel to the next, and along a whole step.
+    step: Scaled<V>,
+    stride: Scaled<V>,
+    division: Division<V>,
+    /// The pixels of a step.
+    length: usize,
     /// From the next pixel to the end of the span.
     pixels: usize,
 }
@@ -230,78 +234,71 @@ pub struct Pieces<V: Components> {
 impl<V: Components> Pieces<V> {
     /// From the first pixel of a span.
     #[inline(always)]
-    fn new<P: Pace>(field: &Quotient<V>, law: i32, at: [i32; 2], pixels: usize) -> Self {
-        let (at, step) = (field.at(at), field.along_row());
-        let last = at.plus(&step.times(pixels as i32 - 1));
-        let log2_pixels = P::log2_pixels::<V>(law, [at.q(), last.q()]);
+    fn new<P: Pace>(field: &Quotient<V>, law: &Law<V>, at: [i32; 2], pixels: usize) -> Self {
+        let rows = field.rows(at[1]);
+        let (at, step, division) = field.along_span(at, pixels);
+        let last = at.q.wrapping_add(step.q.wrapping_mul(pixels as u32 - 1));
+        let division = division.quick_if(P::may_be_quick(law), [at.q, last]);
+        let length = P::pixels(law, &division, rows, [at.q, last]);
         Self {
-            value: at.divided(&field.block),
+            value: division.numbers(&at),
             at,
             step,
-            stride: step.times(1 << log2_pixels),
-            block: field.block,
-            log2_pixels,
+            stride: step.times(length),
+            division,
+            length,
             pixels,
         }
     }
 
-    /// The next step, of which there is one: to a division after 2^`log2_pixels` pixels or at the
-    /// span's last pixel, where the triangle has a value.
+    /// The next step, of which there is one: to a division after `length` pixels or at the span's
+    /// last pixel, where the triangle has a value.
     #[inline(always)]
     fn piece(&mut self) -> Piece<SteppedWalk<V>> {
-        let length = 1 << self.log2_pixels;
-        let (from, q) = (self.value, self.at.q());
+        let (from, q) = (self.value, self.at.q);
+        let (mut pixels, mut way, mut stride) = (self.length, self.length, self.stride);
+        if self.pixels <= pixels {
+            (pixels, way) = (self.pixels, self.pixels - 1);
+            stride = self.step.times(way);
+        }
         let mut step = V::ZEROS;
-        let mut pixels = length;
-        if self.pixels > length {
-            self.at = self.at.plus(&self.stride);
-            self.value = self.at.divided(&self.block);
+        if way != 0 {
+            self.at = self.at.plus(&stride);
+            self.value = self.division.numbers(&self.at);
             for ((step, to), from) in
                 step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
             {
-                *step = to.wrapping_sub(*from) >> self.log2_pixels;
-            }
-        } else {
-            pixels = self.pixels;
-            if pixels > 1 {
-                let way = pixels - 1;
-                self.at = self.at.plus(&self.step.times(way as i32));
-                self.value = self.at.divided(&self.block);
-                for ((step, to), from) in
-                    step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
-                {
-                    *step = part(to.wrapping_sub(*from), way);
-                }
+                *step = part(to.wrapping_sub(*from), way);
             }
         }
         self.pixels -= pixels;
         let walk = |numbers, q| SteppedWalk {
             numbers,
-            inverse_w: if V::READS_INVERSE_W { self.block.inverse_w(q) } else { 0 },
+            inverse_w: if V::READS_INVERSE_W { self.division.inverse_w(q) } else { 0 },
         };
         Piece {
             first: walk(V::walk_from(from), q),
-            step: walk(V::step_from(step), (self.step.q >> 32) as u32),
+            step: walk(V::step_from(step), self.step.q),
             pixels,
         }
     }
 }
 
 /// 2^(15 + log2 n) / n, rounded: from 2^14 to 2^15.
-const PARTS: [u16; 64] = {
-    let mut parts = [0; 64];
+const PARTS: [u16; 65] = {
+    let mut parts = [0; 65];
     let mut n = 1;
-    while n < 64 {
+    while n <= 64 {
         parts[n] = (((1 << (15 + n.ilog2())) + n / 2) / n) as u16;
         n += 1;
     }
     parts
 };
 
-/// A change over `pixels` pixels, 1 to 63, as that from each to the next: within 2^-15 of it.
+/// A change over `pixels` pixels, 1 to 64, as that from each to the next: within 2^-15 of it.
 #[inline(always)]
 const fn part(change: i32, pixels: usize) -> i32 {
-    let part = PARTS[pixels & 63] as i32;
+    let part = if pixels < PARTS.len() { PARTS[pixels] as i32 } else { 0 };
     let log2 = 31 - leading_zeros(pixels as u32);
     let (upper, lower) = (change >> 16, change & 0xFFFF);
     (2 * upper * part + ((lower * part) >> 15)) >> log2
