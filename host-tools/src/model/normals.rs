@@ -172,6 +172,45 @@ mod tests {
         assert_eq!(corner_normals(&[given], &POSITIONS, 1.0), [[[0.0, 0.6, -0.8]; 3]]);
     }
 
+    /// Fans round one position from nearly flat to steep, each with a triangle without area.
+    #[test]
+    fn a_shared_mean_is_that_of_the_definition() {
+        let (mut shared, mut split) = (0, 0);
+        for (sides, crease) in [(3, 60.0), (7, 60.0), (12, 25.0), (40, 180.0), (5, 0.0)] {
+            let crease = f64::to_radians(crease);
+            for step in 0..60 {
+                let height = |i: u32| f64::from(i * i * 7 % 11) / 11.0 * f64::from(step) / 20.0;
+                let rim = (0..sides).map(|i| {
+                    let (sin, cos) =
+                        (f64::from(i) / f64::from(sides) * std::f64::consts::TAU).sin_cos();
+                    [cos, height(i), sin]
+                });
+                let positions: Vec<Vector> = std::iter::once([0.0, 0.1, 0.0]).chain(rim).collect();
+                let fan = (0..sides).map(|i| [0, (i + 1) % sides + 1, i + 1]);
+                let corners = fan.chain([[0, 1, 1]]).map(|t| triangle(t, [0.0; 3]));
+                let triangles: Vec<Triangle> = corners.collect();
+                let faces: Vec<Vector> =
+                    triangles.iter().map(|t| face_normal(places(t, &positions))).collect();
+                let at_tip = |face: usize| {
+                    let near = (0..sides as usize)
+                        .filter(|&other| dot(faces[other], faces[face]) >= crease.cos() - 1e-9);
+                    let near: Vec<(usize, f64)> = near
+                        .map(|other| (other, opening(&triangles[other], 0, &positions)))
+                        .collect();
+                    let (sum, weight) = sum(near.iter(), &faces);
+                    (near.len(), mean(sum, weight).unwrap_or(faces[face]))
+                };
+                let normals = corner_normals(&triangles, &positions, crease);
+                for (face, normals) in normals.iter().enumerate() {
+                    let (count, exact) = at_tip(face);
+                    assert_eq!(normals[0], exact, "{sides} {step} {face}");
+                    *(if count == sides as usize { &mut shared } else { &mut split }) += 1;
+                }
+            }
+        }
+        assert!(shared > 500 && split > 500, "{shared} {split}");
+    }
+
     #[test]
     fn faces_back_to_back_keep_their_own_normals() {
         let sheet = [triangle([0, 1, 5], [0.0; 3]), triangle([0, 5, 1], [0.0; 3])];

@@ -190,11 +190,12 @@ fn measure<'a>(
     for &index in &part.faces {
         let corners = face(index);
         let sign = if turns[index] { -1.0 } else { 1.0 };
-        let points: Vec<Vector> = corners.iter().map(|corner| sub(at(corner), origin)).collect();
-        let fan = points[1..].windows(2).map(|pair| (pair[0], pair[1]));
+        let point = |corner: &Corner| sub(at(corner), origin);
+        let apex = point(&corners[0]);
+        let fan = corners[1..].windows(2).map(|pair| (point(&pair[0]), point(&pair[1])));
         let area = fan.fold([0.0; 3], |sum, (b, c)| {
-            part.volume += sign * dot(points[0], cross(b, c));
-            add(sum, cross(sub(b, points[0]), sub(c, points[0])))
+            part.volume += sign * dot(apex, cross(b, c));
+            add(sum, cross(sub(b, apex), sub(c, apex)))
         });
         let normal = corners.iter().fold([0.0; 3], |sum, corner| add(sum, corner.normal));
         part.agreement += sign * dot(area, normal).clamp(-1.0, 1.0);
