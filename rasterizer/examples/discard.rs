@@ -46,7 +46,7 @@ impl Shader for Perforated {
     type Outcome = Option<Rgb565>;
 
     const TABLES: RequiredTables =
-        RequiredTables { vertex_normals: true, texture_coordinates: true, face_normals: false };
+        RequiredTables { vertex_normals: true, texture_coordinates: true, ..RequiredTables::NONE };
 
     fn for_object(&self, pose: &Pose) -> Self {
         Self(self.0.for_object(pose))

@@ -9,7 +9,7 @@ use crate::numbers::Subpixel;
 impl Interpolate for u16 {
     const ZERO: Self = 0;
 
-    type Accumulator = u32;
+    type Field = Plane<u32>;
     type Walk = u32;
     type Rest = Whole<u32>;
     type Sample = U16F16;
@@ -27,8 +27,13 @@ impl Interpolate for u16 {
     }
 
     #[inline(always)]
-    fn walk(first: u32, step: u32, pixels: usize) -> (Piece<u32>, Whole<u32>) {
-        (Piece { first, step, pixels }, core::iter::empty())
+    fn whole(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> Option<Piece<u32>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> (Piece<u32>, Whole<u32>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     /// Half a unit above the interpolated value, so that its integer part is rounded.
@@ -42,7 +47,7 @@ impl Interpolate for u16 {
 impl Interpolate for i16 {
     const ZERO: Self = 0;
 
-    type Accumulator = u32;
+    type Field = Plane<u32>;
     type Walk = u32;
     type Rest = Whole<u32>;
     type Sample = I16F16;
@@ -57,8 +62,13 @@ impl Interpolate for i16 {
     }
 
     #[inline(always)]
-    fn walk(first: u32, step: u32, pixels: usize) -> (Piece<u32>, Whole<u32>) {
-        u16::walk(first, step, pixels)
+    fn whole(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> Option<Piece<u32>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> (Piece<u32>, Whole<u32>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     /// Half a unit above the interpolated value, so that its integer part is rounded.
@@ -72,7 +82,7 @@ impl Interpolate for i16 {
 impl Interpolate for u32 {
     const ZERO: Self = 0;
 
-    type Accumulator = u64;
+    type Field = Plane<u64>;
     type Walk = u64;
     type Rest = Whole<u64>;
     type Sample = Self;
@@ -86,8 +96,13 @@ impl Interpolate for u32 {
     }
 
     #[inline(always)]
-    fn walk(first: u64, step: u64, pixels: usize) -> (Piece<u64>, Whole<u64>) {
-        (Piece { first, step, pixels }, core::iter::empty())
+    fn whole(field: &Plane<u64>, at: [i32; 2], pixels: usize) -> Option<Piece<u64>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<u64>, at: [i32; 2], pixels: usize) -> (Piece<u64>, Whole<u64>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     /// The interpolated value, rounded.

@@ -11,12 +11,18 @@ pub struct RequiredTables {
     pub face_normals: bool,
     /// [`Tables::texture_coordinates`].
     pub texture_coordinates: bool,
+    /// [`Tables::texture_coordinates`] of 16 bits ([`TextureCoordinates::I16`]).
+    pub narrow_texture_coordinates: bool,
 }
 
 impl RequiredTables {
     /// None of them.
-    pub const NONE: Self =
-        Self { vertex_normals: false, face_normals: false, texture_coordinates: false };
+    pub const NONE: Self = Self {
+        vertex_normals: false,
+        face_normals: false,
+        texture_coordinates: false,
+        narrow_texture_coordinates: false,
+    };
 
     /// `tables` with each per-vertex table that this shader reads cut to `count` entries; `None` if
     /// one is shorter.
@@ -25,7 +31,7 @@ impl RequiredTables {
     pub(crate) fn of_vertices<'a>(self, tables: &Tables<'a>, count: usize) -> Option<Tables<'a>> {
         let Positions::I16(positions) = tables.positions;
         let Normals::I8(normals) = tables.vertex_normals;
-        let is_textured = self.texture_coordinates;
+        let is_textured = self.texture_coordinates || self.narrow_texture_coordinates;
         Some(Tables {
             positions: Positions::I16(positions.get(..count)?),
             vertex_normals: Normals::I8(cut(normals, count, self.vertex_normals)?),

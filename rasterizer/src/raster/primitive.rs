@@ -25,14 +25,13 @@ pub trait Primitive {
         &self,
         window: &Window,
         layout: Layout,
-        visit: impl FnMut(&Span<Self::Depth, Self::Varyings>) -> Result<(), E>,
+        visit: impl FnMut(&Span<'_, Self::Depth, Self::Varyings>) -> Result<(), E>,
     ) -> Result<(), E>;
 }
 
-/// Covered pixels of one row, with the attributes at the first one's centre and their change from
-/// pixel to pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span<D: Interpolate, V: Interpolate> {
+/// Covered pixels of one row, with what is interpolated along them.
+#[derive(Clone, Copy, Debug)]
+pub struct Span<'f, D: DepthFormat, V: Interpolate> {
     /// The row, from the display's upper edge.
     pub row: i32,
     /// The first pixel's address.
@@ -40,13 +39,11 @@ pub struct Span<D: Interpolate, V: Interpolate> {
     /// The address after the last pixel's; always beyond `start`.
     pub end: usize,
     /// The depth at the first pixel.
-    pub depth: D::Accumulator,
+    pub depth: D::Walk,
     /// The change of depth from a pixel to the one on its right.
-    pub depth_step: D::Accumulator,
-    /// The varyings at the first pixel.
-    pub varyings: V::Accumulator,
-    /// The change of the varyings from a pixel to the one on its right.
-    pub varyings_step: V::Accumulator,
+    pub depth_step: D::Walk,
+    /// The varyings as functions of addresses and rows.
+    pub varyings: &'f V::Field,
 }
 
 /// A covered pixel, as a shader sees it. What a shader does not read costs nothing.

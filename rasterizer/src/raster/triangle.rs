@@ -2,7 +2,7 @@
 
 use super::{Layout, Primitive, Span, Window, edge::Edge};
 use crate::{
-    attribute::{DepthFormat, Interpolate, Plane, QuickGradients, TriangleSetup},
+    attribute::{DepthFormat, Field as _, Interpolate, QuickGradients, TriangleSetup},
     geometry::ScreenVertex,
     numbers::{IS_NARROW, Subpixel, codegen},
 };
@@ -63,8 +63,8 @@ impl<'v, S: Subpixel, D: DepthFormat, V: Interpolate> Triangle<'v, S, D, V> {
         self.area
     }
 
-    /// The plane of its varyings over the display's columns and rows.
-    pub(super) fn varyings_plane(&self) -> Plane<V::Accumulator> {
+    /// Its varyings as a function of the display's columns and rows.
+    pub(super) fn varyings_field(&self) -> V::Field {
         let sorted = self.sorted();
         let (setup, quick) = (sorted.setup(), sorted.quick());
         V::plane(&setup, quick, sorted.varyings()).over_addresses(sorted.to_first(0), 0)
@@ -101,7 +101,7 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Triangle<'_, S, 
         &self,
         window: &Window,
         layout: Layout,
-        mut visit: impl FnMut(&Span<D, V>) -> Result<(), E>,
+        mut visit: impl FnMut(&Span<'_, D, V>) -> Result<(), E>,
     ) -> Result<(), E> {
         let sorted = self.sorted();
         let Some(extent) = sorted.extent(window) else { return Ok(()) };
@@ -128,8 +128,7 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Triangle<'_, S, 
                 end: end as usize,
                 depth: depth.at(start, row),
                 depth_step: depth.per_column,
-                varyings: varyings.at(start, row),
-                varyings_step: varyings.per_column,
+                varyings: &varyings,
             })
         })
     }
@@ -268,7 +267,7 @@ const fn place<S, D, V>(vertex: &ScreenVertex<S, D, V>) -> [i32; 2] {
     [vertex.x, vertex.y]
 }
 
-/// The planes of depth and varyings over addresses, by exact divisions.
+/// Depth and varyings as functions of addresses, by exact divisions.
 // codegen: the corners come one by one, because an array of them is put into memory before it is
 // known whether it is needed.
 #[cold]
@@ -281,7 +280,7 @@ fn exact_planes<S: Subpixel, D: DepthFormat, V: Interpolate>(
     area: i64,
     to_first: [i32; 2],
     pitch: i32,
-) -> (Plane<D::Accumulator>, Plane<V::Accumulator>) {
+) -> (D::Field, V::Field) {
     let sorted = Sorted { top, middle, bottom, middle_is_right, area };
     let setup = sorted.setup();
     (
@@ -296,7 +295,7 @@ mod tests {
 
     use super::*;
     use crate::{
-        attribute::Step as _,
+        attribute::{Plane, Step as _},
         numbers::{S4, S8},
         random::Random,
     };
@@ -309,17 +308,18 @@ mod tests {
     where
         S: Subpixel,
         D: DepthFormat,
-        V: Interpolate<Walk = <V as Interpolate>::Accumulator>,
+        V: Interpolate<Field = Plane<<V as Interpolate>::Walk>>,
     {
         let mut covered = vec![];
         let triangle = Triangle::new(corners).unwrap();
         let Ok(()) = triangle.for_each_span(&WINDOW, layout, |span| {
-            let (mut depth, mut varyings) = (span.depth, span.varyings);
+            let plane = span.varyings;
+            let (mut depth, mut varyings) = (span.depth, plane.at(span.start as i32, span.row));
             for address in span.start..span.end {
                 let column = address as i32 + layout.origin - span.row * layout.pitch;
                 covered.push((column, span.row, D::at(depth), V::sample(varyings)));
                 depth = depth.wrapping_add(span.depth_step);
-                varyings = varyings.wrapping_add(span.varyings_step);
+                varyings = varyings.wrapping_add(plane.per_column);
             }
             Ok::<(), core::convert::Infallible>(())
         });

@@ -2,18 +2,24 @@
 
 use super::*;
 
+/// A number that is linear on the screen.
+trait Linear: Interpolate<Field = Plane<<Self as Interpolate>::Walk>> {}
+
+impl<V: Interpolate<Field = Plane<<V as Interpolate>::Walk>>> Linear for V {}
+
 /// Pixels of one row: a primitive besides the triangle.
 struct HorizontalLine<D: DepthFormat, V: Interpolate> {
     row: i32,
     left: i32,
     /// The column after the last.
     right: i32,
-    depth: D::Accumulator,
-    varyings: V::Accumulator,
-    varyings_step: V::Accumulator,
+    depth: D::Walk,
+    /// At the first pixel, and the change from pixel to pixel.
+    varyings: V::Walk,
+    varyings_step: V::Walk,
 }
 
-impl<D: DepthFormat, V: Interpolate> Primitive for HorizontalLine<D, V> {
+impl<D: DepthFormat, V: Linear> Primitive for HorizontalLine<D, V> {
     type Depth = D;
     type Varyings = V;
 
@@ -21,22 +27,27 @@ impl<D: DepthFormat, V: Interpolate> Primitive for HorizontalLine<D, V> {
         &self,
         window: &Window,
         layout: Layout,
-        mut visit: impl FnMut(&Span<D, V>) -> Result<(), E>,
+        mut visit: impl FnMut(&Span<'_, D, V>) -> Result<(), E>,
     ) -> Result<(), E> {
         let (left, right) = (self.left.max(window.left), self.right.min(window.right));
         if left >= right || !(window.top..window.bottom).contains(&self.row) {
             return Ok(());
         }
         let address = layout.row_address(self.row);
-        let to_left = self.varyings_step.wrapping_mul(left - self.left);
+        // At the address of the first pixel.
+        let to_address_0 = self.varyings_step.wrapping_mul(-(address + self.left));
+        let plane = Plane {
+            anchor: self.varyings.wrapping_add(to_address_0),
+            per_column: self.varyings_step,
+            per_row: Step::ZERO,
+        };
         visit(&Span {
             row: self.row,
             start: (address + left) as usize,
             end: (address + right) as usize,
             depth: self.depth,
             depth_step: Step::ZERO,
-            varyings: self.varyings.wrapping_add(to_left),
-            varyings_step: self.varyings_step,
+            varyings: &plane,
         })
     }
 }
@@ -58,7 +69,7 @@ const RAMP: [u32; 2] = [0x1000_0000, 0x0031_0000];
 
 const fn line<D: DepthFormat>(
     [row, left, right]: [i32; 3],
-    depth: D::Accumulator,
+    depth: D::Walk,
 ) -> HorizontalLine<D, u16> {
     let [varyings, varyings_step] = RAMP;
     HorizontalLine { row, left, right, depth, varyings, varyings_step }
@@ -74,7 +85,7 @@ const INK: Rgb888 = Rgb888::new(0, 9, 255);
 /// Draws the lines in three ways, beside each other: filled, shaded, blended.
 fn draw_lines<T: Readable<Color = Rgb888, Error = Infallible>>(
     target: &mut T,
-    depth: <T::Depth as Interpolate>::Accumulator,
+    depth: <T::Depth as Interpolate>::Walk,
     way: usize,
 ) {
     let window = target.window();

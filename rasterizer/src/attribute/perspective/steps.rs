@@ -1,0 +1,305 @@
+//! The modes that divide at some pixels of a span and go straight between them.
+
+use core::marker::PhantomData;
+
+use super::{
+    Corrected, Correction, Pace, Quotient,
+    division::{Division, Scaled},
+    pace::Law,
+    quotient::Corners,
+};
+use crate::{
+    attribute::{
+        Components, Field, Interpolate, InverseW, Piece, QuickGradients, Step, TriangleSetup,
+    },
+    numbers::{Subpixel, leading_zeros},
+};
+
+/// Numbers of a vertex with near / w.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct InSteps<V, P> {
+    value: V,
+    inverse_w: InverseW,
+    pace: PhantomData<P>,
+}
+
+impl<P: Pace> Correction for P {
+    type OnScreen<V: Components> = InSteps<V, P>;
+
+    #[inline(always)]
+    fn on_screen<V: Components>(value: V, inverse_w: InverseW) -> InSteps<V, P> {
+        InSteps { value, inverse_w, pace: PhantomData }
+    }
+
+    #[inline(always)]
+    fn parts<V: Components>(vertex: &InSteps<V, P>) -> (V, InverseW) {
+        (vertex.value, vertex.inverse_w)
+    }
+}
+
+/// A triangle's numbers as functions of the pixel.
+#[derive(Clone, Copy, Debug)]
+pub enum SteppedField<V: Components> {
+    /// Linear on the screen.
+    Affine(V::Field, InverseW),
+    /// Divided, by the law of the steps' lengths.
+    #[expect(private_interfaces, reason = "only its steps know it")]
+    Divided(Quotient<V>, Law<V>),
+}
+
+impl<V: Components> Field for SteppedField<V> {
+    #[inline(always)]
+    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
+        match self {
+            Self::Affine(field, inverse_w) => {
+                Self::Affine(field.over_addresses(to_first, pitch), inverse_w)
+            }
+            Self::Divided(field, law) => Self::Divided(field.over_addresses(to_first, pitch), law),
+        }
+    }
+}
+
+impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
+    const ZERO: Self = Self { value: V::ZERO, inverse_w: InverseW::ZERO, pace: PhantomData };
+
+    type Field = SteppedField<V>;
+    type Walk = SteppedWalk<V>;
+    type Rest = Rest<V>;
+    type Sample = Corrected<V::Sample>;
+
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        [a, b, c]: [Self; 3],
+    ) -> SteppedField<V> {
+        let corners = Corners::new([a, b, c].map(|corner| (corner.value, corner.inverse_w)));
+        if P::is_affine(&corners) {
+            let field = V::plane(setup, quick, [a.value, b.value, c.value]);
+            return SteppedField::Affine(field, a.inverse_w);
+        }
+        let bits = corners.bits();
+        let quotient = Quotient::new(setup, quick, &corners, bits);
+        let law = P::of(&corners, &quotient);
+        SteppedField::Divided(quotient, law)
+    }
+
+    #[inline(always)]
+    fn whole(
+        field: &SteppedField<V>,
+        at: [i32; 2],
+        pixels: usize,
+    ) -> Option<Piece<SteppedWalk<V>>> {
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                Some(SteppedWalk::affine(V::whole(field, at, pixels)?, *inverse_w))
+            }
+            SteppedField::Divided(..) => None,
+        }
+    }
+
+    #[inline(always)]
+    fn walk(
+        field: &SteppedField<V>,
+        at: [i32; 2],
+        pixels: usize,
+    ) -> (Piece<SteppedWalk<V>>, Rest<V>) {
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                let (piece, rest) = V::walk(field, at, pixels);
+                (SteppedWalk::affine(piece, *inverse_w), Rest::Affine(rest, *inverse_w))
+            }
+            SteppedField::Divided(field, law) => {
+                let mut pieces = Pieces::new::<P>(field, law, at, pixels);
+                (pieces.piece(), Rest::Divided(pieces))
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn for_each_piece(
+        field: &SteppedField<V>,
+        at: [i32; 2],
+        pixels: usize,
+        mut visit: impl FnMut(Piece<SteppedWalk<V>>),
+    ) {
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                V::for_each_piece(field, at, pixels, |piece| {
+                    visit(SteppedWalk::affine(piece, *inverse_w));
+                });
+            }
+            SteppedField::Divided(field, law) => {
+                let mut pieces = Pieces::new::<P>(field, law, at, pixels);
+                while pieces.pixels != 0 {
+                    visit(pieces.piece());
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn sample(value: SteppedWalk<V>) -> Corrected<V::Sample> {
+        Corrected {
+            value: V::sample(value.numbers),
+            inverse_w: if V::READS_INVERSE_W {
+                InverseW::from_bits(value.inverse_w)
+            } else {
+                InverseW::ONE
+            },
+        }
+    }
+}
+
+/// Numbers on the way along a step.
+#[derive(Clone, Copy, Debug)]
+pub struct SteppedWalk<V: Components> {
+    numbers: V::Walk,
+    /// near / w, if it is read.
+    inverse_w: u32,
+}
+
+impl<V: Components> SteppedWalk<V> {
+    /// A piece that is linear on the screen.
+    #[inline(always)]
+    fn affine(piece: Piece<V::Walk>, inverse_w: InverseW) -> Piece<Self> {
+        Piece {
+            first: Self { numbers: piece.first, inverse_w: inverse_w.to_bits() },
+            step: Self { numbers: piece.step, inverse_w: 0 },
+            pixels: piece.pixels,
+        }
+    }
+}
+
+impl<V: Components> Step for SteppedWalk<V> {
+    const ZERO: Self = Self { numbers: V::Walk::ZERO, inverse_w: 0 };
+
+    #[inline(always)]
+    fn wrapping_add(self, change: Self) -> Self {
+        Self {
+            numbers: self.numbers.wrapping_add(change.numbers),
+            inverse_w: if V::READS_INVERSE_W {
+                self.inverse_w.wrapping_add(change.inverse_w)
+            } else {
+                0
+            },
+        }
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, count: i32) -> Self {
+        Self {
+            numbers: self.numbers.wrapping_mul(count),
+            inverse_w: self.inverse_w.wrapping_mul(count as u32),
+        }
+    }
+}
+
+/// What follows a span's first piece.
+#[derive(Debug)]
+pub enum Rest<V: Components> {
+    /// Linear on the screen.
+    Affine(V::Rest, InverseW),
+    /// Divided.
+    Divided(Pieces<V>),
+}
+
+impl<V: Components> Iterator for Rest<V> {
+    type Item = Piece<SteppedWalk<V>>;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Self::Item> {
+        match self {
+            Self::Affine(rest, inverse_w) => Some(SteppedWalk::affine(rest.next()?, *inverse_w)),
+            Self::Divided(pieces) => (pieces.pixels != 0).then(|| pieces.piece()),
+        }
+    }
+}
+
+/// The steps of a span after its first one.
+#[derive(Clone, Copy, Debug)]
+pub struct Pieces<V: Components> {
+    /// The numbers at the next pixel.
+    value: V::Each<i32>,
+    at: Scaled<V>,
+    /// From a pixel to the next, and along a whole step.
+    step: Scaled<V>,
+    stride: Scaled<V>,
+    division: Division<V>,
+    /// The pixels of a step.
+    length: usize,
+    /// From the next pixel to the end of the span.
+    pixels: usize,
+}
+
+impl<V: Components> Pieces<V> {
+    /// From the first pixel of a span.
+    #[inline(always)]
+    fn new<P: Pace>(field: &Quotient<V>, law: &Law<V>, at: [i32; 2], pixels: usize) -> Self {
+        let rows = field.rows(at[1]);
+        let (at, step, division) = field.along_span(at, pixels);
+        let last = at.q.wrapping_add(step.q.wrapping_mul(pixels as u32 - 1));
+        let division = division.quick_if(P::may_be_quick(law), [at.q, last]);
+        let length = P::pixels(law, &division, rows, [at.q, last]);
+        Self {
+            value: division.numbers(&at),
+            at,
+            step,
+            stride: step.times(length),
+            division,
+            length,
+            pixels,
+        }
+    }
+
+    /// The next step, of which there is one: to a division after `length` pixels or at the span's
+    /// last pixel, where the triangle has a value.
+    #[inline(always)]
+    fn piece(&mut self) -> Piece<SteppedWalk<V>> {
+        let (from, q) = (self.value, self.at.q);
+        let (mut pixels, mut way, mut stride) = (self.length, self.length, self.stride);
+        if self.pixels <= pixels {
+            (pixels, way) = (self.pixels, self.pixels - 1);
+            stride = self.step.times(way);
+        }
+        let mut step = V::ZEROS;
+        if way != 0 {
+            self.at = self.at.plus(&stride);
+            self.value = self.division.numbers(&self.at);
+            for ((step, to), from) in
+                step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
+            {
+                *step = part(to.wrapping_sub(*from), way);
+            }
+        }
+        self.pixels -= pixels;
+        let walk = |numbers, q| SteppedWalk {
+            numbers,
+            inverse_w: if V::READS_INVERSE_W { self.division.inverse_w(q) } else { 0 },
+        };
+        Piece {
+            first: walk(V::walk_from(from), q),
+            step: walk(V::step_from(step), self.step.q),
+            pixels,
+        }
+    }
+}
+
+/// 2^(15 + log2 n) / n, rounded: from 2^14 to 2^15.
+const PARTS: [u16; 65] = {
+    let mut parts = [0; 65];
+    let mut n = 1;
+    while n <= 64 {
+        parts[n] = (((1 << (15 + n.ilog2())) + n / 2) / n) as u16;
+        n += 1;
+    }
+    parts
+};
+
+/// A change over `pixels` pixels, 1 to 64, as that from each to the next: within 2^-15 of it.
+#[inline(always)]
+const fn part(change: i32, pixels: usize) -> i32 {
+    let part = if pixels < PARTS.len() { PARTS[pixels] as i32 } else { 0 };
+    let log2 = 31 - leading_zeros(pixels as u32);
+    let (upper, lower) = (change >> 16, change & 0xFFFF);
+    (2 * upper * part + ((lower * part) >> 15)) >> log2
+}
