@@ -223,7 +223,7 @@ fn name<T: PartialEq>(table: &[(&'static str, T)], value: T) -> &'static str {
 }
 
 /// A parser of the names in a table.
-fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
+pub(super) fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
     table: &'static [(&'static str, T); N],
 ) -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(table.iter().map(|(name, _)| *name)).try_map(|given| {
