@@ -12,4 +12,8 @@ pub struct Sample<const N: usize> {
     pub depth: f64,
     /// The interpolated varyings.
     pub varyings: [f64; N],
+    /// Their exact derivatives to the right, per pixel.
+    pub per_column: [f64; N],
+    /// Their exact derivatives downwards, per pixel.
+    pub per_row: [f64; N],
 }

@@ -3,7 +3,9 @@
 use super::camera::Camera;
 use super::clip::{ViewVertex, clip};
 use super::coverage::{Region, doubled_area, for_each_covered};
-use super::interpolate::{in_perspective, linear, linear_each};
+use super::interpolate::{
+    in_perspective, linear, linear_each, linear_slope_each, slopes_in_perspective, weight_slopes,
+};
 use super::mesh::{Corner, Culling, Mesh};
 use super::picture::{Canvas, Picture};
 use super::sample::Sample;
@@ -54,12 +56,19 @@ pub fn draw_scene<const N: usize>(
             let depths = fan.map(|i| points[i].depth);
             let inverse_ws = fan.map(|i| points[i].inverse_w);
             let varyings = fan.map(|i| polygon[i].varyings);
-            for_each_covered(fan.map(|i| outline[i]), &region, |x, y, weights| {
+            let corners = fan.map(|i| outline[i]);
+            let slopes = weight_slopes(corners);
+            for_each_covered(corners, &region, |x, y, weights| {
+                let [per_column, per_row] = slopes.map(|slopes| {
+                    linear_slope_each(slopes_in_perspective(weights, slopes, inverse_ws), varyings)
+                });
                 let sample = Sample {
                     pixel: [x, y],
                     triangle,
                     depth: linear(weights, depths),
                     varyings: linear_each(in_perspective(weights, inverse_ws), varyings),
+                    per_column,
+                    per_row,
                 };
                 canvas.shade(sample, &shade);
             });
@@ -318,7 +327,13 @@ mod tests {
             Culling::None,
             SIZE,
             |corner| [levels[corner.triangle][corner.vertex - 3 * corner.triangle]],
-            |Sample { varyings: [level], .. }| Some(DARK_RED.map(|channel| channel * level)),
+            |Sample { pixel: [x, _], varyings: [level], per_column, per_row, .. }| {
+                // d = 30 / c changes by -30 / c² to the right and not at all downwards.
+                let column = x as f64 + 0.5 - 24.0;
+                assert!((per_column[0] - 0.5 / 32.0 * 30.0 / column.powi(2)).abs() < 1e-11);
+                assert!(per_row[0].abs() < 1e-11);
+                Some(DARK_RED.map(|channel| channel * level))
+            },
         );
         let mut fragments = 0;
         for (x, y) in pixels() {
