@@ -114,7 +114,7 @@ mod tests {
                 assert_eq!(found.inverse_w, sample.varyings[2]);
                 visit(corners, inverse_w, uv, center, found);
                 pixels.set(pixels.get() + 1);
-                None
+                None::<()>
             });
         }
         pixels.get()

@@ -6,6 +6,8 @@
 pub struct Sample<const N: usize> {
     /// Column and row, from the top left corner of the picture.
     pub pixel: [usize; 2],
+    /// The first and the last column of the picture that the triangle covers in this row.
+    pub span: [usize; 2],
     /// Number of the triangle; pieces of a clipped triangle share its number.
     pub triangle: usize,
     /// Depth at the pixel centre; larger is nearer.

@@ -13,7 +13,8 @@ use super::sample::Sample;
 /// Draws a mesh as `camera` sees it into a picture of `size` (width, height) pixels.
 ///
 /// `varyings` returns what is interpolated from a corner: perspective-correct, that is, linear on
-/// the surface in space. `shade` returns the colour of a sample, or `None` to discard it.
+/// the surface in space. `shade` returns the colour of a sample, of any type, or `None` to discard
+/// it.
 ///
 /// Only pixels inside the camera's viewport are drawn. A fragment's depth is that of
 /// [`ScreenPoint`](super::ScreenPoint), its triangle the index into [`Mesh::triangles`].
@@ -26,14 +27,14 @@ use super::sample::Sample;
 ///
 /// Panics if a triangle refers to a vertex that the mesh does not have.
 #[must_use]
-pub fn draw_scene<const N: usize>(
+pub fn draw_scene<const N: usize, C: Copy>(
     camera: &Camera,
     mesh: &Mesh,
     culling: Culling,
     size: (usize, usize),
     varyings: impl Fn(Corner) -> [f64; N],
-    shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
-) -> Picture {
+    shade: impl Fn(Sample<N>) -> Option<C>,
+) -> Picture<C> {
     let [columns, rows] = camera.viewport.pixels(size);
     let region = Region { columns, rows };
     let mut canvas = Canvas::new(size);
@@ -58,12 +59,13 @@ pub fn draw_scene<const N: usize>(
             let varyings = fan.map(|i| polygon[i].varyings);
             let corners = fan.map(|i| outline[i]);
             let slopes = weight_slopes(corners);
-            for_each_covered(corners, &region, |x, y, weights| {
+            for_each_covered(corners, &region, |pixel, weights, span| {
                 let [per_column, per_row] = slopes.map(|slopes| {
                     linear_slope_each(slopes_in_perspective(weights, slopes, inverse_ws), varyings)
                 });
                 let sample = Sample {
-                    pixel: [x, y],
+                    pixel,
+                    span: [span.start, span.end - 1],
                     triangle,
                     depth: linear(weights, depths),
                     varyings: linear_each(in_perspective(weights, inverse_ws), varyings),

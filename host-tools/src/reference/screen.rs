@@ -29,7 +29,7 @@ pub struct ScreenTriangle<const N: usize> {
 }
 
 /// Draws triangles, in their order, into a picture of `size` (width, height) pixels. `shade`
-/// returns the colour of a sample, or `None` to discard it.
+/// returns the colour of a sample, of any type, or `None` to discard it.
 ///
 /// **Coverage is exact** for corners at multiples of 1/256 pixel (hence also 1/16) within ±4,096
 /// pixels, and pictures up to 4,096 pixels wide and high: no operation of the half-plane test is
@@ -39,11 +39,11 @@ pub struct ScreenTriangle<const N: usize> {
 /// Depth and varyings are linear in screen space, in the unit of the vertices. They are rounded:
 /// by some 2^-50 of the largest vertex value.
 #[must_use]
-pub fn draw_screen<const N: usize>(
+pub fn draw_screen<const N: usize, C: Copy>(
     triangles: &[ScreenTriangle<N>],
     size: (usize, usize),
-    shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
-) -> Picture {
+    shade: impl Fn(Sample<N>) -> Option<C>,
+) -> Picture<C> {
     let region = Region::whole(size);
     let mut canvas = Canvas::new(size);
     for &ScreenTriangle { vertices, number } in triangles {
@@ -52,9 +52,10 @@ pub fn draw_screen<const N: usize>(
         let corners = vertices.map(|vertex| [vertex.x, vertex.y]);
         let [per_column, per_row] =
             weight_slopes(corners).map(|slopes| linear_slope_each(slopes, varyings));
-        for_each_covered(corners, &region, |x, y, weights| {
+        for_each_covered(corners, &region, |pixel, weights, span| {
             let sample = Sample {
-                pixel: [x, y],
+                pixel,
+                span: [span.start, span.end - 1],
                 triangle: number,
                 depth: linear(weights, depths),
                 varyings: linear_each(weights, varyings),
