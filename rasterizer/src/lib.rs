@@ -240,6 +240,7 @@ mod random;
 pub mod raster;
 pub mod scene;
 pub mod shade;
+pub mod texture;
 
 // Their types are part of this crate's signatures: name them through here, and they are the
 // versions that it is built with.

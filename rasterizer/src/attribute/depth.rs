@@ -9,7 +9,7 @@ use crate::numbers::Subpixel;
 ///
 /// Depth is near / w (in a parallel projection the remaining part of the way to the far plane): 1
 /// on the near plane, larger is nearer, and a buffer is cleared to 0. It is linear in screen space.
-pub trait DepthFormat: Interpolate<Walk = <Self as Interpolate>::Accumulator> {
+pub trait DepthFormat: Interpolate<Field = Plane<<Self as Interpolate>::Walk>> {
     /// The depth of a vertex from Q0.32. It is never 0, so that everything in front of the far
     /// plane wins against a cleared buffer.
     fn from_fraction(q32: u32) -> Self;
@@ -18,7 +18,7 @@ pub trait DepthFormat: Interpolate<Walk = <Self as Interpolate>::Accumulator> {
     fn to_fraction(self) -> U0F32;
 
     /// The depth at a pixel, rounded to a unit.
-    fn at(value: Self::Accumulator) -> Self;
+    fn at(value: Self::Walk) -> Self;
 
     /// Whether this depth is nearer than `stored`; always true if none is stored.
     fn is_nearer(self, stored: Self) -> bool;
@@ -105,7 +105,7 @@ impl DepthFormat for NoDepth {
 impl Interpolate for NoDepth {
     const ZERO: Self = Self;
 
-    type Accumulator = ();
+    type Field = Plane<()>;
     type Walk = ();
     type Rest = Whole<()>;
     type Sample = ();

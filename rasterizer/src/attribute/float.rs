@@ -196,7 +196,7 @@ impl Step for Block {
 impl Interpolate for FloatDepth {
     const ZERO: Self = Self::FAR;
 
-    type Accumulator = Block;
+    type Field = Plane<Block>;
     type Walk = Block;
     type Rest = Whole<Block>;
     type Sample = Self;

@@ -9,7 +9,7 @@ use crate::numbers::Subpixel;
 impl Interpolate for u16 {
     const ZERO: Self = 0;
 
-    type Accumulator = u32;
+    type Field = Plane<u32>;
     type Walk = u32;
     type Rest = Whole<u32>;
     type Sample = U16F16;
@@ -42,7 +42,7 @@ impl Interpolate for u16 {
 impl Interpolate for i16 {
     const ZERO: Self = 0;
 
-    type Accumulator = u32;
+    type Field = Plane<u32>;
     type Walk = u32;
     type Rest = Whole<u32>;
     type Sample = I16F16;
@@ -72,7 +72,7 @@ impl Interpolate for i16 {
 impl Interpolate for u32 {
     const ZERO: Self = 0;
 
-    type Accumulator = u64;
+    type Field = Plane<u64>;
     type Walk = u64;
     type Rest = Whole<u64>;
     type Sample = Self;

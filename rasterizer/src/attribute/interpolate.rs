@@ -1,13 +1,13 @@
 //! The numbers of a vertex on the screen, on their way to a pixel.
 
-use super::{Plane, QuickGradients, TriangleSetup};
+use super::{Field, Plane, QuickGradients, TriangleSetup};
 use crate::numbers::Subpixel;
 
 /// A running value that is stepped from pixel to pixel, modulo its width.
 ///
 /// Gradients of slivers can be far larger than the width. They wrap, and at a covered centre the
 /// value is between those of the corners again.
-pub trait Step: Copy {
+pub trait Step: Copy + core::fmt::Debug {
     /// No change.
     const ZERO: Self;
 
@@ -114,16 +114,16 @@ pub type Whole<W> = core::iter::Empty<Piece<W>>;
 
 /// A number, or several, that can be interpolated over a triangle.
 ///
-/// From row to row, the exact plane over the screen is stepped (`Accumulator`); along a span, the
-/// value that is derived from it (`Walk`). For a linear number both are the same, and a span is one
-/// piece. A number that is divided at every N-th pixel and stepped linearly in between has several
-/// pieces.
+/// A function of the pixel (`Field`) gives the value at a span's first pixel and its change along
+/// the row; the value that is derived from it (`Walk`) is stepped along the span. For a linear
+/// number all of these are of one type, and a span is one piece. A number that is divided at every
+/// N-th pixel and stepped linearly in between has several pieces.
 pub trait Interpolate: Copy {
     /// The value of a vertex that has none yet.
     const ZERO: Self;
 
-    /// What is stepped from row to row.
-    type Accumulator: Step;
+    /// Its function of the pixel: a [`Plane`], or several, for linear numbers.
+    type Field: Field;
     /// What is stepped from pixel to pixel.
     type Walk: Step;
     /// The pieces of a span after its first one.
@@ -131,18 +131,18 @@ pub trait Interpolate: Copy {
     /// The value that a shader sees.
     type Sample: Copy;
 
-    /// The plane through the values at a triangle's corners; without `quick` its gradients are
-    /// divided exactly.
+    /// The function through the values at a triangle's corners, about the anchor; without `quick`
+    /// gradients are divided exactly.
     fn plane<S: Subpixel>(
         setup: &TriangleSetup<S>,
         quick: Option<QuickGradients>,
         corners: [Self; 3],
-    ) -> Plane<Self::Accumulator>;
+    ) -> Self::Field;
 
     /// The first piece of a span of `pixels`, at least 1, and the pieces after it.
     fn walk(
-        first: Self::Accumulator,
-        step: Self::Accumulator,
+        first: First<Self>,
+        change: Change<Self>,
         pixels: usize,
     ) -> (Piece<Self::Walk>, Self::Rest);
 
@@ -150,15 +150,21 @@ pub trait Interpolate: Copy {
     fn sample(value: Self::Walk) -> Self::Sample;
 }
 
+/// What a number has at the first pixel of a span.
+pub type First<V> = <<V as Interpolate>::Field as Field>::First;
+
+/// Its change along a row.
+pub type Change<V> = <<V as Interpolate>::Field as Field>::Change;
+
 /// Linear numbers of one type.
 impl<A, const N: usize> Interpolate for [A; N]
 where
-    A: Interpolate<Walk = <A as Interpolate>::Accumulator, Rest = Whole<<A as Interpolate>::Walk>>,
+    A: Interpolate<Field = Plane<<A as Interpolate>::Walk>, Rest = Whole<<A as Interpolate>::Walk>>,
 {
     const ZERO: Self = [A::ZERO; N];
 
-    type Accumulator = [A::Accumulator; N];
-    type Walk = Self::Accumulator;
+    type Field = Plane<[A::Walk; N]>;
+    type Walk = [A::Walk; N];
     type Rest = Whole<Self::Walk>;
     type Sample = [A::Sample; N];
 
@@ -167,12 +173,9 @@ where
         setup: &TriangleSetup<S>,
         quick: Option<QuickGradients>,
         [a, b, c]: [Self; 3],
-    ) -> Plane<Self::Accumulator> {
-        let mut all = Plane::<Self::Accumulator> {
-            anchor: Step::ZERO,
-            per_column: Step::ZERO,
-            per_row: Step::ZERO,
-        };
+    ) -> Self::Field {
+        let mut all =
+            Plane { anchor: Step::ZERO, per_column: Step::ZERO, per_row: Self::Walk::ZERO };
         // codegen: a loop, because a closure of `from_fn` is called, with the set-up in memory.
         for i in 0..N {
             let plane = A::plane(setup, quick, [a[i], b[i], c[i]]);
@@ -183,11 +186,7 @@ where
     }
 
     #[inline(always)]
-    fn walk(
-        first: Self::Accumulator,
-        step: Self::Accumulator,
-        pixels: usize,
-    ) -> (Piece<Self::Walk>, Self::Rest) {
+    fn walk(first: Self::Walk, step: Self::Walk, pixels: usize) -> (Piece<Self::Walk>, Self::Rest) {
         (Piece { first, step, pixels }, core::iter::empty())
     }
 
@@ -201,7 +200,7 @@ where
 impl<A: Interpolate, B: Interpolate> Interpolate for (A, B) {
     const ZERO: Self = (A::ZERO, B::ZERO);
 
-    type Accumulator = (A::Accumulator, B::Accumulator);
+    type Field = (A::Field, B::Field);
     type Walk = (A::Walk, B::Walk);
     type Rest = Both<A, B>;
     type Sample = (A::Sample, B::Sample);
@@ -211,24 +210,19 @@ impl<A: Interpolate, B: Interpolate> Interpolate for (A, B) {
         setup: &TriangleSetup<S>,
         quick: Option<QuickGradients>,
         [a, b, c]: [Self; 3],
-    ) -> Plane<Self::Accumulator> {
+    ) -> Self::Field {
         let one = A::plane(setup, quick, [a.0, b.0, c.0]);
-        let other = B::plane(setup, quick, [a.1, b.1, c.1]);
-        Plane {
-            anchor: (one.anchor, other.anchor),
-            per_column: (one.per_column, other.per_column),
-            per_row: (one.per_row, other.per_row),
-        }
+        (one, B::plane(setup, quick, [a.1, b.1, c.1]))
     }
 
     #[inline(always)]
     fn walk(
-        first: Self::Accumulator,
-        step: Self::Accumulator,
+        first: First<Self>,
+        change: Change<Self>,
         pixels: usize,
     ) -> (Piece<Self::Walk>, Both<A, B>) {
-        let (one, one_rest) = A::walk(first.0, step.0, pixels);
-        let (other, other_rest) = B::walk(first.1, step.1, pixels);
+        let (one, one_rest) = A::walk(first.0, change.0, pixels);
+        let (other, other_rest) = B::walk(first.1, change.1, pixels);
         let mut rest = Both { one, one_rest, other, other_rest };
         (rest.cut(), rest)
     }

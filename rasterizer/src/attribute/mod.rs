@@ -13,16 +13,22 @@
 //! The type of a number decides how it is interpolated: 16 bits, signed or unsigned, in steps of 32
 //! bits; 32 bits in steps of 64. Arrays are of one type, tuples of several.
 
+mod components;
 mod depth;
 mod float;
 mod integers;
 mod interpolate;
+mod perspective;
 mod plane;
 mod varyings;
 
+pub use components::Components;
 pub use depth::{DepthFormat, NoDepth};
 pub use float::FloatDepth;
-pub use interpolate::{Interpolate, Piece, Step, Whole};
-pub use plane::{Plane, QuickGradients, TriangleSetup};
+pub use interpolate::{Change, First, Interpolate, Piece, Step, Whole};
+pub use perspective::{
+    Adaptive, Affine, Corrected, Correction, Every, EveryPixel, Pace, PerspectiveCorrect,
+};
+pub use plane::{Field, Plane, QuickGradients, TriangleSetup};
 pub(crate) use varyings::lerp;
 pub use varyings::{InverseW, Varyings};

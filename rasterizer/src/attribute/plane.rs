@@ -39,23 +39,70 @@ pub struct Plane<T> {
     pub per_row: T,
 }
 
-impl<T: Step> Plane<T> {
-    /// Returns the value at the centre of the pixel that lies `columns` and `rows` from the anchor.
-    #[inline(always)]
-    pub fn at(&self, columns: i32, rows: i32) -> T {
-        let row = self.anchor.wrapping_add(self.per_row.wrapping_mul(rows));
-        row.wrapping_add(self.per_column.wrapping_mul(columns))
-    }
+/// A value as a function of the pixel over a triangle.
+///
+/// It is set up about an anchor, a pixel of the triangle, and then counts in addresses and rows.
+pub trait Field: Copy + core::fmt::Debug {
+    /// The value at the first pixel of a span.
+    type First: Copy + core::fmt::Debug;
+    /// Its change along a row.
+    type Change: Copy + core::fmt::Debug;
 
-    /// The same function of addresses and rows, where a row has `pitch` addresses and its first
-    /// pixel the address 0.
+    /// Returns the same function of addresses and rows. `to_first` is the way from the anchor to
+    /// the pixel at address 0 of row 0, in columns and rows, and a row has `pitch` addresses.
+    #[must_use]
+    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self;
+
+    /// Returns the value at the centre of the pixel at an address of a row.
+    fn at(&self, address: i32, row: i32) -> Self::First;
+
+    /// Returns the change along a row.
+    fn change(&self) -> Self::Change;
+}
+
+impl<T: Step> Field for Plane<T> {
+    type First = T;
+    type Change = T;
+
     #[inline(always)]
-    pub(crate) fn over_addresses(&self, [columns, rows]: [i32; 2], pitch: i32) -> Self {
+    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
+        let [columns, rows] = to_first;
         Self {
             anchor: self.at(columns, rows),
             per_column: self.per_column,
             per_row: self.per_row.wrapping_add(self.per_column.wrapping_mul(-pitch)),
         }
+    }
+
+    #[inline(always)]
+    fn at(&self, address: i32, row: i32) -> T {
+        let first = self.anchor.wrapping_add(self.per_row.wrapping_mul(row));
+        first.wrapping_add(self.per_column.wrapping_mul(address))
+    }
+
+    #[inline(always)]
+    fn change(&self) -> T {
+        self.per_column
+    }
+}
+
+impl<A: Field, B: Field> Field for (A, B) {
+    type First = (A::First, B::First);
+    type Change = (A::Change, B::Change);
+
+    #[inline(always)]
+    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
+        (self.0.over_addresses(to_first, pitch), self.1.over_addresses(to_first, pitch))
+    }
+
+    #[inline(always)]
+    fn at(&self, address: i32, row: i32) -> Self::First {
+        (self.0.at(address, row), self.1.at(address, row))
+    }
+
+    #[inline(always)]
+    fn change(&self) -> Self::Change {
+        (self.0.change(), self.1.change())
     }
 }
 
@@ -140,6 +187,13 @@ impl<S: Subpixel> TriangleSetup<S> {
             per_column: x as u64,
             per_row: y as u64,
         }
+    }
+
+    /// The plane of a number of 32 bits in Q32.32, with 18 digits behind the point, modulo 2^64.
+    #[inline(always)]
+    pub(super) fn wide_plane(&self, _: Option<QuickGradients>, corners: [u32; 3]) -> Plane<u64> {
+        let Plane { anchor, per_column, per_row } = self.exact_wide_plane(corners);
+        Plane { anchor: anchor << 14, per_column: per_column << 14, per_row: per_row << 14 }
     }
 
     /// The columns and rows from the anchor to any covered pixel, together, at most.

@@ -11,6 +11,9 @@ impl InverseW {
     /// 1, within 2<sup>-32</sup>.
     pub const ONE: Self = Self(u32::MAX);
 
+    /// Infinitely far away.
+    pub const ZERO: Self = Self(0);
+
     /// From near / w in Q0.32.
     #[inline(always)]
     #[must_use]

@@ -59,7 +59,7 @@ pub(super) struct Place {
 impl Place {
     /// Of the first pixel of a span.
     #[inline(always)]
-    pub(super) const fn of<D: Interpolate, V: Interpolate>(
+    pub(super) const fn of<D: DepthFormat, V: Interpolate>(
         span: &Span<D, V>,
         layout: Layout,
     ) -> Self {
@@ -78,8 +78,8 @@ impl Place {
 /// a span.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Run<D: DepthFormat, V: Interpolate> {
-    depth: D::Accumulator,
-    depth_step: D::Accumulator,
+    depth: D::Walk,
+    depth_step: D::Walk,
     varyings: V::Walk,
     varyings_step: V::Walk,
 }
@@ -88,7 +88,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     /// The first piece of a span, its number of pixels, and the pieces after it.
     #[inline(always)]
     pub(super) fn first_of(span: &Span<D, V>) -> (Self, usize, V::Rest) {
-        let (piece, rest) = V::walk(span.varyings, span.varyings_step, span.end - span.start);
+        let (piece, rest) = V::walk(span.varyings, span.varyings_change, span.end - span.start);
         let run = Self {
             depth: span.depth,
             depth_step: span.depth_step,

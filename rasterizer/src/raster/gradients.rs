@@ -2,7 +2,7 @@
 
 use super::Triangle;
 use crate::{
-    attribute::{DepthFormat, Interpolate, NoDepth, Plane},
+    attribute::{DepthFormat, Interpolate, NoDepth},
     geometry::ScreenVertex,
     numbers::{S4, S8, Subpixel},
 };
@@ -51,26 +51,27 @@ impl<'v, V: Interpolate> Gradients<'v, V> {
         self.subpixel_bits
     }
 
-    /// Computes the plane over the display's columns and rows, counted from its top-left pixel: the
-    /// same that the triangle's spans follow.
+    /// Computes the varyings as a function of the display's columns and rows, counted from its
+    /// top-left pixel: the same that the triangle's spans follow.
     #[must_use]
-    pub fn plane(&self) -> Plane<V::Accumulator> {
-        if self.subpixel_bits == S4::BITS { self.plane_in::<S4>() } else { self.plane_in::<S8>() }
+    pub fn field(&self) -> V::Field {
+        if self.subpixel_bits == S4::BITS { self.field_in::<S4>() } else { self.field_in::<S8>() }
     }
 
     #[inline(always)]
-    fn plane_in<S: Subpixel>(&self) -> Plane<V::Accumulator> {
+    fn field_in<S: Subpixel>(&self) -> V::Field {
         let [a, b, c] = core::array::from_fn(|i| {
             let [x, y] = self.places[i];
             ScreenVertex::<S, NoDepth, V>::new(x, y, NoDepth, *self.corners[i])
         });
-        Triangle::with_area([&a, &b, &c], self.area).varyings_plane()
+        Triangle::with_area([&a, &b, &c], self.area).varyings_field()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::attribute::Field as _;
     use crate::raster::{Layout, Primitive as _, Window, signed_area};
 
     /// At the first pixel of each span the plane has the span's value, for quick and exact planes.
@@ -86,13 +87,13 @@ mod tests {
             let triangle = Triangle::with_area(corners, signed_area(corners));
             let gradients = Gradients::of(&triangle);
             assert_eq!(gradients.corners(), [[100, 9], [65_535, 9], [7, 9]]);
-            let plane = gradients.plane();
+            let plane = gradients.field();
             let layout = Layout { pitch: 0, origin: window.left };
             let mut spans = 0;
             let Ok(()) = triangle.for_each_span(&window, layout, |span| {
                 let column = span.start as i32 + window.left;
                 assert_eq!(plane.at(column, span.row), span.varyings, "{b:?} {c:?} {span:?}");
-                assert_eq!(plane.per_column, span.varyings_step);
+                assert_eq!(plane.per_column, span.varyings_change);
                 spans += 1;
                 Ok::<(), core::convert::Infallible>(())
             });

@@ -3,7 +3,7 @@
 use fixed::types::U0F32;
 
 use super::{Layout, Window};
-use crate::attribute::{DepthFormat, Interpolate};
+use crate::attribute::{Change, DepthFormat, First, Interpolate};
 
 /// A shape on the screen: it visits the spans of pixels that it covers.
 ///
@@ -31,8 +31,8 @@ pub trait Primitive {
 
 /// Covered pixels of one row, with the attributes at the first one's centre and their change from
 /// pixel to pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Span<D: Interpolate, V: Interpolate> {
+#[derive(Clone, Copy, Debug)]
+pub struct Span<D: DepthFormat, V: Interpolate> {
     /// The row, from the display's upper edge.
     pub row: i32,
     /// The first pixel's address.
@@ -40,13 +40,13 @@ pub struct Span<D: Interpolate, V: Interpolate> {
     /// The address after the last pixel's; always beyond `start`.
     pub end: usize,
     /// The depth at the first pixel.
-    pub depth: D::Accumulator,
+    pub depth: D::Walk,
     /// The change of depth from a pixel to the one on its right.
-    pub depth_step: D::Accumulator,
+    pub depth_step: D::Walk,
     /// The varyings at the first pixel.
-    pub varyings: V::Accumulator,
-    /// The change of the varyings from a pixel to the one on its right.
-    pub varyings_step: V::Accumulator,
+    pub varyings: First<V>,
+    /// Their change along the row.
+    pub varyings_change: Change<V>,
 }
 
 /// A covered pixel, as a shader sees it. What a shader does not read costs nothing.

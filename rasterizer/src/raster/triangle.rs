@@ -2,7 +2,7 @@
 
 use super::{Layout, Primitive, Span, Window, edge::Edge};
 use crate::{
-    attribute::{DepthFormat, Interpolate, Plane, QuickGradients, TriangleSetup},
+    attribute::{DepthFormat, Field as _, Interpolate, QuickGradients, TriangleSetup},
     geometry::ScreenVertex,
     numbers::{IS_NARROW, Subpixel, codegen},
 };
@@ -63,8 +63,8 @@ impl<'v, S: Subpixel, D: DepthFormat, V: Interpolate> Triangle<'v, S, D, V> {
         self.area
     }
 
-    /// The plane of its varyings over the display's columns and rows.
-    pub(super) fn varyings_plane(&self) -> Plane<V::Accumulator> {
+    /// Its varyings as a function of the display's columns and rows.
+    pub(super) fn varyings_field(&self) -> V::Field {
         let sorted = self.sorted();
         let (setup, quick) = (sorted.setup(), sorted.quick());
         V::plane(&setup, quick, sorted.varyings()).over_addresses(sorted.to_first(0), 0)
@@ -127,9 +127,9 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Triangle<'_, S, 
                 start: start as usize,
                 end: end as usize,
                 depth: depth.at(start, row),
-                depth_step: depth.per_column,
+                depth_step: depth.change(),
                 varyings: varyings.at(start, row),
-                varyings_step: varyings.per_column,
+                varyings_change: varyings.change(),
             })
         })
     }
@@ -268,7 +268,7 @@ const fn place<S, D, V>(vertex: &ScreenVertex<S, D, V>) -> [i32; 2] {
     [vertex.x, vertex.y]
 }
 
-/// The planes of depth and varyings over addresses, by exact divisions.
+/// Depth and varyings as functions of addresses, by exact divisions.
 // codegen: the corners come one by one, because an array of them is put into memory before it is
 // known whether it is needed.
 #[cold]
@@ -281,7 +281,7 @@ fn exact_planes<S: Subpixel, D: DepthFormat, V: Interpolate>(
     area: i64,
     to_first: [i32; 2],
     pitch: i32,
-) -> (Plane<D::Accumulator>, Plane<V::Accumulator>) {
+) -> (D::Field, V::Field) {
     let sorted = Sorted { top, middle, bottom, middle_is_right, area };
     let setup = sorted.setup();
     (
@@ -296,7 +296,7 @@ mod tests {
 
     use super::*;
     use crate::{
-        attribute::Step as _,
+        attribute::{Plane, Step as _},
         numbers::{S4, S8},
         random::Random,
     };
@@ -309,7 +309,7 @@ mod tests {
     where
         S: Subpixel,
         D: DepthFormat,
-        V: Interpolate<Walk = <V as Interpolate>::Accumulator>,
+        V: Interpolate<Field = Plane<<V as Interpolate>::Walk>>,
     {
         let mut covered = vec![];
         let triangle = Triangle::new(corners).unwrap();
@@ -319,7 +319,7 @@ mod tests {
                 let column = address as i32 + layout.origin - span.row * layout.pitch;
                 covered.push((column, span.row, D::at(depth), V::sample(varyings)));
                 depth = depth.wrapping_add(span.depth_step);
-                varyings = varyings.wrapping_add(span.varyings_step);
+                varyings = varyings.wrapping_add(span.varyings_change);
             }
             Ok::<(), core::convert::Infallible>(())
         });

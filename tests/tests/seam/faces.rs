@@ -14,7 +14,7 @@ impl Shader for Slopes {
     type Color = Rgb888;
     type Varyings = ([u16; 1], i16);
     type Surface = ();
-    type Face = Option<Plane<([u32; 1], u32)>>;
+    type Face = Option<(Plane<[u32; 1]>, Plane<u32>)>;
     type Outcome = Rgb888;
 
     fn surface(&self, _: &MeshMaterial<'_>) {}
@@ -30,11 +30,11 @@ impl Shader for Slopes {
         _: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
     ) -> Face<Rgb888, Self::Face> {
-        let plane = gradients.plane();
+        let plane = gradients.field();
         if !self.is_flat {
             return Face::Shaded(Some(plane));
         }
-        let ([x], y) = plane.per_column;
+        let ([x], y) = plane.change();
         let size = gradients.doubled_area() >> (2 * gradients.subpixel_bits());
         Face::Solid(Rgb888::new((x >> 18) as u8, (y >> 18) as u8, size as u8))
     }
@@ -107,7 +107,7 @@ impl Shader for Measuring<'_> {
     ) -> Face<Rgb888, ()> {
         let unit = 2f64.powi(2 * gradients.subpixel_bits() as i32);
         let area = gradients.doubled_area() as f64 / unit;
-        let slope = f64::from(gradients.plane().per_column as i32) / 65_536.0;
+        let slope = f64::from(gradients.field().per_column as i32) / 65_536.0;
         self.0.borrow_mut().push((face.index(), gradients.corners(), area, slope));
         Face::Solid(BACKGROUND)
     }

@@ -2,18 +2,23 @@
 
 use super::*;
 
+/// A number that is linear on the screen.
+trait Linear: Interpolate<Field = Plane<<Self as Interpolate>::Walk>> {}
+
+impl<V: Interpolate<Field = Plane<<V as Interpolate>::Walk>>> Linear for V {}
+
 /// Pixels of one row: a primitive besides the triangle.
 struct HorizontalLine<D: DepthFormat, V: Interpolate> {
     row: i32,
     left: i32,
     /// The column after the last.
     right: i32,
-    depth: D::Accumulator,
-    varyings: V::Accumulator,
-    varyings_step: V::Accumulator,
+    depth: D::Walk,
+    varyings: V::Walk,
+    varyings_step: V::Walk,
 }
 
-impl<D: DepthFormat, V: Interpolate> Primitive for HorizontalLine<D, V> {
+impl<D: DepthFormat, V: Linear> Primitive for HorizontalLine<D, V> {
     type Depth = D;
     type Varyings = V;
 
@@ -36,7 +41,7 @@ impl<D: DepthFormat, V: Interpolate> Primitive for HorizontalLine<D, V> {
             depth: self.depth,
             depth_step: Step::ZERO,
             varyings: self.varyings.wrapping_add(to_left),
-            varyings_step: self.varyings_step,
+            varyings_change: self.varyings_step,
         })
     }
 }
@@ -58,7 +63,7 @@ const RAMP: [u32; 2] = [0x1000_0000, 0x0031_0000];
 
 const fn line<D: DepthFormat>(
     [row, left, right]: [i32; 3],
-    depth: D::Accumulator,
+    depth: D::Walk,
 ) -> HorizontalLine<D, u16> {
     let [varyings, varyings_step] = RAMP;
     HorizontalLine { row, left, right, depth, varyings, varyings_step }
@@ -74,7 +79,7 @@ const INK: Rgb888 = Rgb888::new(0, 9, 255);
 /// Draws the lines in three ways, beside each other: filled, shaded, blended.
 fn draw_lines<T: Readable<Color = Rgb888, Error = Infallible>>(
     target: &mut T,
-    depth: <T::Depth as Interpolate>::Accumulator,
+    depth: <T::Depth as Interpolate>::Walk,
     way: usize,
 ) {
     let window = target.window();

@@ -44,7 +44,7 @@ impl<const HOLDS: bool> Iterator for Pieces<HOLDS> {
 impl<const HOLDS: bool> Interpolate for Stepped<HOLDS> {
     const ZERO: Self = Self(0);
 
-    type Accumulator = u32;
+    type Field = Plane<u32>;
     type Walk = u32;
     type Rest = Pieces<HOLDS>;
     type Sample = U16F16;

@@ -1,0 +1,93 @@
+//! The mode that divides at every visible pixel.
+
+use super::{
+    AlongRow, AtPixel, Corrected, Correction, EveryPixel, Quotient,
+    quotient::{Block, Corners},
+};
+use crate::{
+    attribute::{
+        Components, Interpolate, InverseW, Piece, QuickGradients, Step, TriangleSetup, Whole,
+    },
+    numbers::Subpixel,
+};
+
+/// Numbers of a vertex with near / w.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct OnEveryPixel<V> {
+    value: V,
+    inverse_w: InverseW,
+}
+
+impl Correction for EveryPixel {
+    type OnScreen<V: Components> = OnEveryPixel<V>;
+
+    #[inline(always)]
+    fn on_screen<V: Components>(value: V, inverse_w: InverseW) -> OnEveryPixel<V> {
+        OnEveryPixel { value, inverse_w }
+    }
+
+    #[inline(always)]
+    fn parts<V: Components>(vertex: &OnEveryPixel<V>) -> (V, InverseW) {
+        (vertex.value, vertex.inverse_w)
+    }
+}
+
+impl<V: Components> Interpolate for OnEveryPixel<V> {
+    const ZERO: Self = Self { value: V::ZERO, inverse_w: InverseW::ZERO };
+
+    type Field = Quotient<V>;
+    type Walk = Dividend<V>;
+    type Rest = Whole<Dividend<V>>;
+    type Sample = Corrected<V::Sample>;
+
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        corners: [Self; 3],
+    ) -> Quotient<V> {
+        let corners = Corners::new(corners.map(|corner| (corner.value, corner.inverse_w)));
+        let bits = corners.bits();
+        Quotient::new(setup, quick, &corners, bits)
+    }
+
+    #[inline(always)]
+    fn walk(
+        first: AtPixel<V>,
+        change: AlongRow<V>,
+        pixels: usize,
+    ) -> (Piece<Dividend<V>>, Whole<Dividend<V>>) {
+        let of = |at| Dividend { at, block: change.block };
+        (Piece { first: of(first), step: of(change.step), pixels }, core::iter::empty())
+    }
+
+    #[inline(always)]
+    fn sample(value: Dividend<V>) -> Corrected<V::Sample> {
+        let Dividend { at, block } = value;
+        Corrected {
+            value: V::sample(V::walk_from(at.divided(&block))),
+            inverse_w: InverseW::from_bits(block.inverse_w(at.q())),
+        }
+    }
+}
+
+/// What is divided at a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Dividend<V: Components> {
+    at: AtPixel<V>,
+    block: Block<V>,
+}
+
+/// In the block of the first operand.
+impl<V: Components> Step for Dividend<V> {
+    const ZERO: Self = Self { at: AtPixel::ZERO, block: Block::ZERO };
+
+    #[inline(always)]
+    fn wrapping_add(self, change: Self) -> Self {
+        Self { at: self.at.plus(&change.at), ..self }
+    }
+
+    #[inline(always)]
+    fn wrapping_mul(self, count: i32) -> Self {
+        Self { at: self.at.times(count), ..self }
+    }
+}

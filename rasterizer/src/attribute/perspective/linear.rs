@@ -1,0 +1,55 @@
+//! The mode without a division.
+
+use super::{Affine, Corrected, Correction};
+use crate::{
+    attribute::{
+        Change, Components, First, Interpolate, InverseW, Piece, QuickGradients, TriangleSetup,
+    },
+    numbers::Subpixel,
+};
+
+/// Numbers that are linear on the screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct OnPlane<V>(V);
+
+impl Correction for Affine {
+    type OnScreen<V: Components> = OnPlane<V>;
+
+    #[inline(always)]
+    fn on_screen<V: Components>(value: V, _: InverseW) -> OnPlane<V> {
+        OnPlane(value)
+    }
+
+    #[inline(always)]
+    fn parts<V: Components>(&OnPlane(value): &OnPlane<V>) -> (V, InverseW) {
+        (value, InverseW::ONE)
+    }
+}
+
+impl<V: Components> Interpolate for OnPlane<V> {
+    const ZERO: Self = Self(V::ZERO);
+
+    type Field = V::Field;
+    type Walk = V::Walk;
+    type Rest = V::Rest;
+    type Sample = Corrected<V::Sample>;
+
+    #[inline(always)]
+    fn plane<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        [a, b, c]: [Self; 3],
+    ) -> V::Field {
+        V::plane(setup, quick, [a.0, b.0, c.0])
+    }
+
+    #[inline(always)]
+    fn walk(first: First<V>, change: Change<V>, pixels: usize) -> (Piece<V::Walk>, V::Rest) {
+        V::walk(first, change, pixels)
+    }
+
+    #[inline(always)]
+    fn sample(value: V::Walk) -> Corrected<V::Sample> {
+        Corrected { value: V::sample(value), inverse_w: InverseW::ONE }
+    }
+}

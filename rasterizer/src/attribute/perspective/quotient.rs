@@ -1,0 +1,281 @@
+//! 1 / w and the numbers over w as functions of the pixel, and their quotients.
+//!
+//! # Formats
+//!
+//! The corners' q = near / w share a block exponent: they are shifted so that the largest has its
+//! most significant bit at 2^30. The numbers u are counted from the first corner's, d = u - u0, which
+//! takes off what all corners have in common, whole repeats of a texture for example. With d < 2^k,
+//! the numerators are
+//!
+//! ```text
+//!   s = d q / 2^(k + 1)        |s| < q / 2 <= 2^30
+//! ```
+//!
+//! Planes of q and of each s have 18 binary digits behind the point. At a pixel
+//!
+//! ```text
+//!   u = u0 + 2^(k + 1) s / q
+//! ```
+//!
+//! # Error
+//!
+//! Let r be the ratio of the corners' largest q to their least. A rounding error of q at a corner
+//! only shifts the weights: it moves u by U times its relative error, at most U r 2^-31. Planes are
+//! off by a unit for their rounding at the corner and half a unit for that at the pixel, and by n /
+//! 2^18 over n pixels: with numerators of half the size, by U r 2^-28 together. The reciprocal adds
+//! U 2^-27, and the product's lost bits U 2^-27.
+
+use crate::{
+    attribute::{Components, Field, InverseW, Plane, QuickGradients, TriangleSetup},
+    numbers::{Reciprocal, Subpixel, leading_zeros, mul_high},
+};
+
+/// A linear number in Q32.32, with 18 binary digits behind the point, and its change.
+type Wide = Plane<u64>;
+
+/// 1 / w and numerators as functions of the pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Quotient<V: Components> {
+    q: Wide,
+    numerators: V::Each<Wide>,
+    block: Block<V>,
+    to_first: [i32; 2],
+    pitch: i32,
+}
+
+/// What is constant over a triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Block<V: Components> {
+    /// The numbers of the first corner.
+    base: V::Each<i32>,
+    /// 30 - k.
+    down: u32,
+    /// The leading zeros of the largest q.
+    zeros: u32,
+}
+
+/// 1 / w and numerators at a pixel: Q32.32.
+#[derive(Clone, Copy, Debug)]
+pub struct AtPixel<V: Components> {
+    pub(super) q: u64,
+    pub(super) numerators: V::Each<u64>,
+}
+
+/// Their change along a row.
+#[derive(Clone, Copy, Debug)]
+pub struct AlongRow<V: Components> {
+    pub(super) step: AtPixel<V>,
+    pub(super) block: Block<V>,
+}
+
+/// The corners of a triangle in a block's numbers.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Corners<V: Components> {
+    /// near / w: the largest from 2^30 to 2^31.
+    pub(super) q: [u32; 3],
+    /// From the first corner's numbers to the others'.
+    pub(super) differences: [V::Each<i32>; 2],
+    base: V::Each<i32>,
+    zeros: u32,
+}
+
+impl<V: Components> Corners<V> {
+    #[inline(always)]
+    pub(super) fn new([a, b, c]: [(V, InverseW); 3]) -> Self {
+        let q = [a.1.to_bits(), b.1.to_bits(), c.1.to_bits()];
+        let zeros = leading_zeros(q[0] | q[1] | q[2]);
+        let base = a.0.components();
+        let from_base = |v: V| {
+            let mut difference = v.components();
+            for (to, from) in difference.as_mut().iter_mut().zip(base.as_ref()) {
+                *to -= from;
+            }
+            difference
+        };
+        Self {
+            q: [(q[0] << zeros) >> 1, (q[1] << zeros) >> 1, (q[2] << zeros) >> 1],
+            differences: [from_base(b.0), from_base(c.0)],
+            base,
+            zeros,
+        }
+    }
+
+    /// The least k for which all differences are below 2^k, from 1 to 30.
+    #[inline(always)]
+    pub(super) fn bits(&self) -> u32 {
+        let [one, other] = &self.differences;
+        let all = one.as_ref().iter().chain(other.as_ref());
+        let magnitudes = all.fold(1, |bits, d| bits | (d ^ (d >> 31)) as u32);
+        32 - leading_zeros(magnitudes)
+    }
+
+    /// The numerators of one number at all corners.
+    #[inline(always)]
+    pub(super) fn numerators(&self, index: usize, bits: u32) -> [i32; 3] {
+        let [_, b, c] = self.q;
+        let of = |corner: usize, q: u32| {
+            let d = self.differences[corner].as_ref()[index];
+            mul_high(d << (31 - bits), q as i32)
+        };
+        [0, of(0, b), of(1, c)]
+    }
+}
+
+impl<V: Components> Quotient<V> {
+    #[inline(always)]
+    pub(super) fn new<S: Subpixel>(
+        setup: &TriangleSetup<S>,
+        quick: Option<QuickGradients>,
+        corners: &Corners<V>,
+        bits: u32,
+    ) -> Self {
+        let zero = Plane { anchor: 0, per_column: 0, per_row: 0 };
+        let mut numerators = V::each(zero);
+        for (index, plane) in numerators.as_mut().iter_mut().enumerate() {
+            *plane = signed(setup, quick, corners.numerators(index, bits));
+        }
+        Self {
+            q: setup.wide_plane(quick, corners.q),
+            numerators,
+            block: Block { base: corners.base, down: 30 - bits, zeros: corners.zeros },
+            to_first: [0; 2],
+            pitch: 0,
+        }
+    }
+
+    /// The changes of q and of a numerator along a row, in whole units.
+    #[inline(always)]
+    pub(super) fn slopes(&self, index: usize) -> [i32; 2] {
+        [self.q, self.numerators.as_ref()[index]].map(|plane| (plane.per_column >> 32) as i32)
+    }
+}
+
+/// The plane of a number with a sign, of magnitude below 2^31.
+#[inline(always)]
+fn signed<S: Subpixel>(
+    setup: &TriangleSetup<S>,
+    quick: Option<QuickGradients>,
+    corners: [i32; 3],
+) -> Wide {
+    let mut plane = setup.wide_plane(quick, corners.map(|s| s as u32 ^ 1 << 31));
+    plane.anchor ^= 1 << 63;
+    plane
+}
+
+impl<V: Components> Field for Quotient<V> {
+    type First = AtPixel<V>;
+    type Change = AlongRow<V>;
+
+    #[inline(always)]
+    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
+        Self { to_first, pitch, ..self }
+    }
+
+    #[inline(always)]
+    fn at(&self, address: i32, row: i32) -> AtPixel<V> {
+        let [column, first_row] = self.to_first;
+        let columns = address.wrapping_add(column).wrapping_sub(row.wrapping_mul(self.pitch));
+        let rows = row.wrapping_add(first_row);
+        let mut numerators = V::WIDE_ZEROS;
+        for (value, plane) in numerators.as_mut().iter_mut().zip(self.numerators.as_ref()) {
+            *value = at(plane, columns, rows);
+        }
+        AtPixel { q: at(&self.q, columns, rows), numerators }
+    }
+
+    #[inline(always)]
+    fn change(&self) -> AlongRow<V> {
+        let mut numerators = V::WIDE_ZEROS;
+        for (step, plane) in numerators.as_mut().iter_mut().zip(self.numerators.as_ref()) {
+            *step = plane.per_column;
+        }
+        AlongRow { step: AtPixel { q: self.q.per_column, numerators }, block: self.block }
+    }
+}
+
+/// The value at the pixel that lies up to 2^12 columns and rows from the anchor.
+///
+/// The digits before and those behind the point are multiplied by themselves, in products of 32
+/// bits: there are 18 behind it, and all three terms together are below 2^31.
+#[inline(always)]
+fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
+    joined(
+        upper(plane.anchor)
+            .wrapping_add(upper(plane.per_column).wrapping_mul(columns))
+            .wrapping_add(upper(plane.per_row).wrapping_mul(rows)),
+        lower(plane.anchor) + lower(plane.per_column) * columns + lower(plane.per_row) * rows,
+    )
+}
+
+/// The digits before the point.
+#[inline(always)]
+const fn upper(value: u64) -> i32 {
+    (value >> 32) as i32
+}
+
+/// The 18 digits behind the point.
+#[inline(always)]
+const fn lower(value: u64) -> i32 {
+    (value as u32 >> 14) as i32
+}
+
+#[inline(always)]
+const fn joined(upper: i32, lower: i32) -> u64 {
+    ((upper as i64) << 32).wrapping_add((lower as i64) << 14) as u64
+}
+
+impl<V: Components> AtPixel<V> {
+    pub(super) const ZERO: Self = Self { q: 0, numerators: V::WIDE_ZEROS };
+
+    /// The value some pixels on.
+    #[inline(always)]
+    pub(super) fn plus(mut self, step: &Self) -> Self {
+        self.q = self.q.wrapping_add(step.q);
+        for (value, step) in self.numerators.as_mut().iter_mut().zip(step.numerators.as_ref()) {
+            *value = value.wrapping_add(*step);
+        }
+        self
+    }
+
+    /// Some steps together, up to 2^12.
+    #[inline(always)]
+    pub(super) fn times(mut self, count: i32) -> Self {
+        let times = |step: u64| joined(upper(step).wrapping_mul(count), lower(step) * count);
+        self.q = times(self.q);
+        for step in self.numerators.as_mut() {
+            *step = times(*step);
+        }
+        self
+    }
+
+    /// q in the block's units, at least 1.
+    #[inline(always)]
+    pub(super) fn q(&self) -> u32 {
+        ((self.q >> 32) as u32).max(1)
+    }
+
+    /// The numbers at the pixel, modulo 2^32.
+    #[inline(always)]
+    pub(super) fn divided(&self, block: &Block<V>) -> V::Each<i32> {
+        let reciprocal = Reciprocal::of(self.q());
+        let mut numbers = block.base;
+        for (number, numerator) in numbers.as_mut().iter_mut().zip(self.numerators.as_ref()) {
+            // s / q = (s << (z - 1)) m 2^-61, with z >= 1 and |s| < q / 2: the upper half of the
+            // product has 29 bits behind the point, and is below 2^28.
+            let numerator = upper(*numerator) << (reciprocal.leading_zeros - 1);
+            let quotient = mul_high(numerator, reciprocal.mantissa);
+            *number = number.wrapping_add((quotient << 2) >> block.down);
+        }
+        numbers
+    }
+}
+
+impl<V: Components> Block<V> {
+    pub(super) const ZERO: Self = Self { base: V::ZEROS, down: 0, zeros: 0 };
+
+    /// near / w from q, or its change.
+    #[inline(always)]
+    pub(super) const fn inverse_w(&self, q: u32) -> u32 {
+        (q << 1) >> self.zeros
+    }
+}
