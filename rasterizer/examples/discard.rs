@@ -46,7 +46,7 @@ impl Shader for Perforated {
     type Outcome = Option<Rgb565>;
 
     const TABLES: RequiredTables =
-        RequiredTables { vertex_normals: true, texture_coordinates: true, face_normals: false };
+        RequiredTables { vertex_normals: true, texture_coordinates: true, ..RequiredTables::NONE };
 
     fn for_object(&self, pose: &Pose) -> Self {
         Self(self.0.for_object(pose))
@@ -57,7 +57,8 @@ impl Shader for Perforated {
     }
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 3] {
-        let [u, v] = vertex.texture_coordinates();
+        // 15 bits behind the binary point: 1 fits 16 bits.
+        let [u, v] = vertex.texture_coordinates().map(|c| (c >> 9) as u16);
         [Ramp::<Rgb565, 64>::varying(self.0.level(vertex.normal())), u, v]
     }
 

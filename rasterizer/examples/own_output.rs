@@ -43,7 +43,7 @@ impl Target for Layers<'_> {
         &mut self,
         primitive: &Q,
         window: &Window,
-        _: impl FnMut(FragmentOf<Q>) -> O,
+        _: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), Infallible> {
         // A pixel's address is its index: row * 240 + column.
         let layout = Layout { pitch: 240, origin: 0 };

@@ -132,6 +132,7 @@
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
+//! | [`texture`] | texels in flash: formats, borders, filters, mip levels |
 //! | [`geometry`] | object space to vertices on the screen: transform, clipping, culling |
 //! | [`raster`] | triangles to spans of fragments: edges, rows, gradients |
 //! | [`shade`] | the colours of fragments |
@@ -151,7 +152,9 @@
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), or [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes |
 //! | new and stored colours | [`Object::blended`](scene::Object::blended) | [`Replace`](output::Replace), [`Blend`](output::Blend) by a function of both |
-//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), or [your own](shade::Shader) |
+//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), or [your own](shade::Shader) |
+//! | texels | the texture's type | [formats](texture), sizes, and borders: [`Repeat`](texture::Repeat), [`Mirror`](texture::Mirror), [`Clamp`](texture::Clamp) |
+//! | texels of a pixel | the shader's filter | [`Nearest`](texture::Nearest), [`Bilinear`](texture::Bilinear), [`NearestMip`](texture::NearestMip), [`BilinearMip`](texture::BilinearMip), [`Trilinear`](texture::Trilinear) |
 //! | pixels discarded or not | the shader's [`Outcome`](shade::Shader::Outcome) | a colour, or an `Option` of one |
 //! | byte order of a pixel | the shader's colour type | [`Rgb565Be`](output::Rgb565Be), in SPI order and filled by words, or [any other](output::StoredColor) |
 //! | vertices stored or not | a method of the object | [`project`](scene::Object::project), [`project_on_demand`](scene::Object::project_on_demand) |
@@ -204,8 +207,7 @@
 //!
 //! # Not supported
 //!
-//! * Textures, fog and antialiasing; lines and points. Meshes can have texture coordinates, and a
-//!   shader can read them, but the core has no shader with a texture.
+//! * Fog and antialiasing; lines and points.
 //! * Perspective-correct varyings: they are interpolated linearly on the screen.
 //! * Sorting from back to front. Objects that are blended or drawn without depth are drawn in the
 //!   order of the calls, their triangles in the order of the mesh.

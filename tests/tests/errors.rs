@@ -38,7 +38,7 @@ impl Shader for Textured {
     fn surface(&self, _: &MeshMaterial<'_>) {}
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 2] {
-        vertex.texture_coordinates()
+        vertex.texture_coordinates().map(|c| c as u16)
     }
 
     fn pixel(&self, (): &(), (): &(), _: Fragment<[U16F16; 2]>) -> Rgb888 {
@@ -111,7 +111,7 @@ fn shaders_need_their_tables() {
     let coordinates = vec![[7, 7]; room];
     let tables = Tables {
         face_normals: Normals::I8(&normals),
-        texture_coordinates: TextureCoordinates::U16 { table: &coordinates, fraction_bits: 16 },
+        texture_coordinates: TextureCoordinates::I16(&coordinates),
         ..*mesh.tables()
     };
     let mesh = Mesh::new(tables).unwrap();

@@ -71,8 +71,7 @@ impl Shader for Chessboard {
     fn surface(&self, _: &MeshMaterial<'_>) {}
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 2] {
-        let up = 16 - vertex.texture_fraction_bits();
-        vertex.texture_coordinates().map(|c| (u32::from(c) << up).min(0xFFFF) as u16)
+        vertex.texture_coordinates().map(|c| (c >> 8).min(0xFFFF) as u16)
     }
 
     fn pixel(&self, (): &(), (): &(), fragment: Fragment<[U16F16; 2]>) -> Rgb888 {
@@ -90,8 +89,7 @@ fn version_0_1_0_has_all_its_tables() {
     assert_eq!(tables.positions.get(2), Some([-32_767, -32_767, 32_767]));
     assert_eq!(tables.vertex_normals.get(23), Some([-127, 0, 0]));
     assert_eq!(tables.face_normals.get(4), Some([0, 127, 0]));
-    assert_eq!(tables.texture_coordinates.get(3), Some([32_768, 32_768]));
-    assert_eq!(tables.texture_coordinates.fraction_bits(), 15);
+    assert_eq!(tables.texture_coordinates.get(3), Some([1 << 24, 1 << 24]));
     assert_eq!(tables.triangles.get(11), Some([20, 22, 23]));
     assert_eq!(
         tables.materials,

@@ -89,8 +89,11 @@ where
     let layout = Layout { pitch: 320, origin: 0 };
     let Ok(()) = triangle.for_each_span(&WINDOW, layout, |span| {
         let mut column = span.start as i32 - span.row * 320;
-        let (first, rest) =
-            M::OnScreen::<V>::walk(span.varyings, span.varyings_change, span.end - span.start);
+        let (first, rest) = M::OnScreen::<V>::walk(
+            span.varyings,
+            [span.start as i32, span.row],
+            span.end - span.start,
+        );
         for piece in [first].into_iter().chain(rest) {
             let mut value = piece.first;
             for _ in 0..piece.pixels {

@@ -10,7 +10,7 @@ use std::fmt::{Display, Write as _};
 use rasterizer::mesh::Material;
 
 use super::{
-    Indices, Model,
+    Indices, Model, TextureTable,
     report::{grouped, thousands},
 };
 
@@ -76,10 +76,11 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "#[rustfmt::skip]")?;
     writeln!(out, "pub static {name}: ::rasterizer::mesh::Mesh<'static> = {{")?;
     writeln!(out, "    use ::rasterizer::{{")?;
+    let is_textured = !model.texture_coordinates.as_column().is_empty();
     let columns: String = [
         (!(model.vertex_normals.is_empty() && model.face_normals.is_empty()), "Normals, "),
         (true, "Positions, Tables, "),
-        (!model.texture_coordinates.is_empty(), "TextureCoordinates, "),
+        (is_textured, "TextureCoordinates, "),
     ]
     .into_iter()
     .filter_map(|(used, names)| used.then_some(names))
@@ -90,7 +91,16 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     table(out, "POSITIONS", "[i16; 3]", model.positions.iter().map(row))?;
     table(out, "VERTEX_NORMALS", "[i8; 3]", model.vertex_normals.iter().map(row))?;
     table(out, "FACE_NORMALS", "[i8; 3]", model.face_normals.iter().map(row))?;
-    table(out, "TEXTURE_COORDINATES", "[u16; 2]", model.texture_coordinates.iter().map(row))?;
+    let coordinates = match &model.texture_coordinates {
+        TextureTable::I16(coordinates) => {
+            table(out, "TEXTURE_COORDINATES", "[i16; 2]", coordinates.iter().map(row))?;
+            "I16"
+        }
+        TextureTable::I32(coordinates) => {
+            table(out, "TEXTURE_COORDINATES", "[i32; 2]", coordinates.iter().map(row))?;
+            "I32"
+        }
+    };
     let index = match &model.triangles {
         Indices::U8(triangles) => {
             table(out, "TRIANGLES", "[u8; 3]", triangles.iter().map(row))?;
@@ -118,11 +128,9 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     if !model.face_normals.is_empty() {
         writeln!(out, "        face_normals: Normals::I8(&FACE_NORMALS),")?;
     }
-    if !model.texture_coordinates.is_empty() {
-        writeln!(out, "        texture_coordinates: TextureCoordinates::U16 {{")?;
-        writeln!(out, "            table: &TEXTURE_COORDINATES,")?;
-        writeln!(out, "            fraction_bits: {},", model.texture_fraction_bits)?;
-        writeln!(out, "        }},")?;
+    if is_textured {
+        let column = format!("TextureCoordinates::{coordinates}(&TEXTURE_COORDINATES)");
+        writeln!(out, "        texture_coordinates: {column},")?;
     }
     writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
     writeln!(out, "        materials: &MATERIALS,")?;

@@ -139,16 +139,16 @@ pub enum ModelError {
         /// The file.
         path: PathBuf,
     },
-    /// The texture coordinates cover more than a `u16` can count.
+    /// The texture coordinates cover more than the tables hold.
     #[error(
-        "{}: texture coordinates range over {range} repeats of the texture, which 16 bits \
-         cannot hold: move the texture islands together or scale them down",
+        "{}: texture coordinates reach {range} repeats of the texture, and the tables hold 64 on \
+         either side: cut the faces that repeat it so often, or scale their coordinates down",
         shown(.path)
     )]
     TextureRange {
         /// The file.
         path: PathBuf,
-        /// The larger of the two ranges.
+        /// The farthest coordinate from 0, in repeats.
         range: f64,
     },
     /// The crease angle is out of range.

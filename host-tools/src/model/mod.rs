@@ -33,6 +33,7 @@ mod smoothing;
 mod source;
 #[cfg(test)]
 mod tests;
+mod texture_coordinates;
 mod triangulate;
 mod validate;
 mod vector;
@@ -47,7 +48,7 @@ use std::{
 };
 
 use rasterizer::{
-    mesh::{Material, Mesh, Normals, Positions, Tables, TextureCoordinates, Triangles},
+    mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
     numbers::{Scale, Vec3},
 };
 
@@ -55,6 +56,7 @@ pub use error::{LineFault, ModelError};
 pub use faces::{Face, Faces};
 pub use quote::printable;
 pub use report::{Flash, Report, thousands};
+pub use texture_coordinates::TextureTable;
 pub use write::{convert_for_build, write_atomically};
 
 use smoothing::Smoothing;
@@ -156,10 +158,8 @@ pub struct Model {
     pub vertex_normals: Vec<[i8; 3]>,
     /// Unit normals of the triangles in 127ths, or none.
     pub face_normals: Vec<[i8; 3]>,
-    /// Texture coordinates of the vertices, v running down, or none.
-    pub texture_coordinates: Vec<[u16; 2]>,
-    /// The bits of a texture coordinate behind the binary point.
-    pub texture_fraction_bits: u8,
+    /// Texture coordinates of the vertices, or none.
+    pub texture_coordinates: TextureTable,
     /// Vertex indices, sorted by material.
     pub triangles: Indices,
     /// The colours and how many triangles each covers.
@@ -210,7 +210,8 @@ pub struct Exact {
     pub vertex_normals: Vec<[f64; 3]>,
     /// Unit normals of the triangles.
     pub face_normals: Vec<[f64; 3]>,
-    /// Texture coordinates in repeats of the texture, v running down, none of them negative.
+    /// Texture coordinates in repeats of the texture, v running down. Where textures repeat, they
+    /// may be moved by whole repeats.
     pub texture_coordinates: Vec<[f64; 2]>,
     /// The faces of the file, not yet cut into triangles.
     pub faces: Faces,
@@ -321,20 +322,15 @@ impl Model {
         };
         let triangles = &tables.welded.triangles;
         checked.warnings.extend(flattening::warning(path, &statements, triangles, rounding));
-        let exact = Exact {
+        let mut exact = Exact {
             faces,
             ..exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?
         };
-        let (texture_coordinates, texture_fraction_bits) =
-            quantize::textures(path, &exact.texture_coordinates)?;
-        if texture_fraction_bits < 8 {
-            checked.warnings.push(format!(
-                "{}: texture coordinates range so far that their steps are 1/{} of a texture: \
-                 move its islands together",
-                quote::shown(path),
-                1 << texture_fraction_bits
-            ));
-        }
+        let texture_coordinates;
+        (texture_coordinates, exact.texture_coordinates) = {
+            let repeats = vec![[true; 2]; exact.texture_coordinates.len()];
+            texture_coordinates::quantized(path, exact.texture_coordinates, triangles, &repeats)?
+        };
         let some_without = checked.textured_corners < checked.corners;
         if options.contents.texture_coordinates && some_without {
             checked.warnings.push(format!(
@@ -358,7 +354,6 @@ impl Model {
             scale,
             offset: fitted.offset,
             texture_coordinates,
-            texture_fraction_bits,
             materials,
             exact,
             report: Report {
@@ -392,10 +387,7 @@ impl Model {
             offset: self.offset,
             vertex_normals: Normals::I8(&self.vertex_normals),
             face_normals: Normals::I8(&self.face_normals),
-            texture_coordinates: TextureCoordinates::U16 {
-                table: &self.texture_coordinates,
-                fraction_bits: self.texture_fraction_bits,
-            },
+            texture_coordinates: self.texture_coordinates.as_column(),
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
         })
@@ -413,10 +405,10 @@ impl Model {
         let normal_errors = (self.vertex_normals.iter().zip(&self.exact.vertex_normals))
             .chain(self.face_normals.iter().zip(&self.exact.face_normals))
             .map(|(&q, &n)| quantize::normal_error(q, n));
-        let step = 1.0 / f64::from(1_u32 << self.texture_fraction_bits);
-        let texture_errors = (self.texture_coordinates.as_flattened().iter())
+        let rounded = self.texture_coordinates.rounded();
+        let texture_errors = (rounded.as_flattened().iter())
             .zip(self.exact.texture_coordinates.as_flattened())
-            .map(|(&q, &t)| (f64::from(q) * step - t).abs());
+            .map(|(q, t)| (q - t).abs());
         let report = &mut self.report;
         report.vertices = self.positions.len();
         report.size = fit::diagonal(&self.exact.positions);
@@ -428,7 +420,7 @@ impl Model {
             positions: size_of_val(&self.positions[..]),
             vertex_normals: size_of_val(&self.vertex_normals[..]),
             face_normals: size_of_val(&self.face_normals[..]),
-            texture_coordinates: size_of_val(&self.texture_coordinates[..]),
+            texture_coordinates: self.texture_coordinates.bytes(),
             triangles: match &self.triangles {
                 Indices::U8(triangles) => size_of_val(&triangles[..]),
                 Indices::U16(triangles) => size_of_val(&triangles[..]),
@@ -486,7 +478,7 @@ fn exact(
             Vec::new()
         },
         texture_coordinates: if contents.texture_coordinates {
-            quantize::turn_textures(&welded.textures)
+            texture_coordinates::turned(&welded.textures)
         } else {
             Vec::new()
         },

@@ -1,13 +1,8 @@
 //! From f64 to the integers of the tables.
 
-use std::path::Path;
-
 use rasterizer::numbers::Scale;
 
-use super::{
-    error::ModelError,
-    vector::{Vector, angle, length, sub},
-};
+use super::vector::{Vector, angle, length, sub};
 
 /// The length of a quantum in model units.
 pub(super) fn quantum(scale: Scale) -> f64 {
@@ -70,35 +65,6 @@ pub(super) fn normal_error(quantised: [i8; 3], exact: Vector) -> f64 {
     angle(quantised.map(f64::from), exact)
 }
 
-/// Turns texture coordinates so that v runs down from the texture's top left, and makes them
-/// positive or 0.
-///
-/// Textures repeat, so subtracting a whole number along an axis changes nothing that is seen.
-pub(super) fn turn_textures(textures: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    let turned = textures.iter().map(|&[u, v]| [u, 1.0 - v]);
-    let whole = turned
-        .clone()
-        .fold([f64::INFINITY; 2], |min, t| [min[0].min(t[0]), min[1].min(t[1])])
-        .map(f64::floor);
-    turned.map(|t| [t[0] - whole[0], t[1] - whole[1]]).collect()
-}
-
-/// Turned texture coordinates in units of 2^-bits repeats, and the bits: as many as the largest
-/// coordinate leaves.
-pub(super) fn textures(
-    path: &Path,
-    turned: &[[f64; 2]],
-) -> Result<(Vec<[u16; 2]>, u8), ModelError> {
-    let range = turned.as_flattened().iter().fold(0.0, |m: f64, &t| m.max(t));
-    let in_units = |t: f64, bits: u8| (t * f64::from(1_u32 << bits)).round();
-    let bits = (0..=16)
-        .rev()
-        .find(|&bits| in_units(range, bits) <= f64::from(u16::MAX))
-        .ok_or_else(|| ModelError::TextureRange { path: path.into(), range })?;
-    let table = turned.iter().map(|t| t.map(|t| in_units(t, bits) as u16)).collect();
-    Ok((table, bits))
-}
-
 #[cfg(test)]
 mod tests {
     use super::{super::vector::normalized, *};
@@ -154,17 +120,5 @@ mod tests {
         // Rounding is off by up to half the diagonal of a unit cube at a distance of 127: 0.39
         // degrees.
         assert!(worst < 0.9 * worst_rounded && worst_rounded < 0.39_f64.to_radians());
-    }
-
-    #[test]
-    fn textures_are_turned_down_and_freed_of_whole_numbers() {
-        assert_eq!(turn_textures(&[[-1.75, 0.0], [2.5, 3.25]]), [[0.25, 4.0], [4.5, 0.75]]);
-        let path = Path::new("m.obj");
-        assert_eq!(textures(path, &[[0.25, 4.0]]).unwrap(), (vec![[2_048, 32_768]], 13));
-        assert_eq!(textures(path, &[[0.25, 0.999]]).unwrap().1, 16);
-        assert_eq!(textures(path, &[[0.25, 1.0]]).unwrap(), (vec![[8_192, 32_768]], 15));
-        assert_eq!(textures(path, &[[65_535.4, 0.0]]).unwrap(), (vec![[65_535, 0]], 0));
-        let error = textures(path, &[[65_536.0, 0.0]]).unwrap_err().to_string();
-        assert!(error.contains("65536 repeats") && error.contains("move the"), "{error}");
     }
 }

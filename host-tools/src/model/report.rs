@@ -49,7 +49,7 @@ pub struct Flash {
     pub vertex_normals: usize,
     /// Three `i8` a triangle.
     pub face_normals: usize,
-    /// Two `u16` a vertex.
+    /// Two `i16` or `i32` a vertex.
     pub texture_coordinates: usize,
     /// Three `u8` or `u16` a triangle.
     pub triangles: usize,

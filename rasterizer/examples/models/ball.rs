@@ -33,11 +33,11 @@ static NORMALS: [[i8; 3]; VERTICES] = {
     table
 };
 
-static TEXTURE_COORDINATES: [[u16; 2]; VERTICES] = {
+static TEXTURE_COORDINATES: [[i32; 2]; VERTICES] = {
     let (mut table, mut vertex) = ([[0; 2]; VERTICES], 0);
     while vertex < VERTICES {
         let (sector, ring) = (vertex % MERIDIANS, vertex / MERIDIANS);
-        table[vertex] = [((sector << 15) / SECTORS) as u16, ((ring << 15) / RINGS) as u16];
+        table[vertex] = [((sector << 24) / SECTORS) as i32, ((ring << 24) / RINGS) as i32];
         vertex += 1;
     }
     table
@@ -86,10 +86,7 @@ pub(crate) const fn ball(materials: &'static [Material]) -> Mesh<'static> {
         positions: Positions::I16(&POSITIONS),
         scale: Scale::new(1, -15),
         vertex_normals: Normals::I8(&NORMALS),
-        texture_coordinates: TextureCoordinates::U16 {
-            table: &TEXTURE_COORDINATES,
-            fraction_bits: 15,
-        },
+        texture_coordinates: TextureCoordinates::I32(&TEXTURE_COORDINATES),
         triangles: Triangles::U16(&INDICES),
         materials,
         ..Tables::EMPTY

@@ -120,8 +120,13 @@ impl Interpolate for NoDepth {
     }
 
     #[inline(always)]
-    fn walk((): (), (): (), pixels: usize) -> (Piece<()>, Whole<()>) {
-        (Piece { first: (), step: (), pixels }, core::iter::empty())
+    fn whole(field: &Plane<()>, at: [i32; 2], pixels: usize) -> Option<Piece<()>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<()>, at: [i32; 2], pixels: usize) -> (Piece<()>, Whole<()>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     #[inline(always)]

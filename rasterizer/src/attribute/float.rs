@@ -222,8 +222,13 @@ impl Interpolate for FloatDepth {
     }
 
     #[inline(always)]
-    fn walk(first: Block, step: Block, pixels: usize) -> (Piece<Block>, Whole<Block>) {
-        (Piece { first, step, pixels }, core::iter::empty())
+    fn whole(field: &Plane<Block>, at: [i32; 2], pixels: usize) -> Option<Piece<Block>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<Block>, at: [i32; 2], pixels: usize) -> (Piece<Block>, Whole<Block>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     #[inline(always)]

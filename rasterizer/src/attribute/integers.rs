@@ -27,8 +27,13 @@ impl Interpolate for u16 {
     }
 
     #[inline(always)]
-    fn walk(first: u32, step: u32, pixels: usize) -> (Piece<u32>, Whole<u32>) {
-        (Piece { first, step, pixels }, core::iter::empty())
+    fn whole(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> Option<Piece<u32>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> (Piece<u32>, Whole<u32>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     /// Half a unit above the interpolated value, so that its integer part is rounded.
@@ -57,8 +62,13 @@ impl Interpolate for i16 {
     }
 
     #[inline(always)]
-    fn walk(first: u32, step: u32, pixels: usize) -> (Piece<u32>, Whole<u32>) {
-        u16::walk(first, step, pixels)
+    fn whole(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> Option<Piece<u32>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<u32>, at: [i32; 2], pixels: usize) -> (Piece<u32>, Whole<u32>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     /// Half a unit above the interpolated value, so that its integer part is rounded.
@@ -86,8 +96,13 @@ impl Interpolate for u32 {
     }
 
     #[inline(always)]
-    fn walk(first: u64, step: u64, pixels: usize) -> (Piece<u64>, Whole<u64>) {
-        (Piece { first, step, pixels }, core::iter::empty())
+    fn whole(field: &Plane<u64>, at: [i32; 2], pixels: usize) -> Option<Piece<u64>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Plane<u64>, at: [i32; 2], pixels: usize) -> (Piece<u64>, Whole<u64>) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     /// The interpolated value, rounded.

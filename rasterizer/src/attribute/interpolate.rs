@@ -112,12 +112,19 @@ impl<W: Step> Piece<W> {
 /// The pieces after the first one, of a value whose first piece is the whole span.
 pub type Whole<W> = core::iter::Empty<Piece<W>>;
 
+impl<W: Step> Plane<W> {
+    /// A span of a linear value, which is one piece.
+    #[inline(always)]
+    pub fn piece(&self, [address, row]: [i32; 2], pixels: usize) -> Piece<W> {
+        Piece { first: self.at(address, row), step: self.per_column, pixels }
+    }
+}
+
 /// A number, or several, that can be interpolated over a triangle.
 ///
-/// A function of the pixel (`Field`) gives the value at a span's first pixel and its change along
-/// the row; the value that is derived from it (`Walk`) is stepped along the span. For a linear
-/// number all of these are of one type, and a span is one piece. A number that is divided at every
-/// N-th pixel and stepped linearly in between has several pieces.
+/// A function of the pixel (`Field`) is set up once a triangle. The value that is derived from it
+/// (`Walk`) is stepped along a span. For a linear number a span is one piece. A number that is
+/// divided at every N-th pixel and stepped linearly in between has several pieces.
 pub trait Interpolate: Copy {
     /// The value of a vertex that has none yet.
     const ZERO: Self;
@@ -139,22 +146,28 @@ pub trait Interpolate: Copy {
         corners: [Self; 3],
     ) -> Self::Field;
 
-    /// The first piece of a span of `pixels`, at least 1, and the pieces after it.
-    fn walk(
-        first: First<Self>,
-        change: Change<Self>,
+    /// A span of `pixels`, at least 1, if it is one piece. It begins at an address of a row.
+    fn whole(field: &Self::Field, at: [i32; 2], pixels: usize) -> Option<Piece<Self::Walk>>;
+
+    /// The first piece of such a span, and the pieces after it.
+    fn walk(field: &Self::Field, at: [i32; 2], pixels: usize) -> (Piece<Self::Walk>, Self::Rest);
+
+    /// Visits all pieces of such a span.
+    #[inline(always)]
+    fn for_each_piece(
+        field: &Self::Field,
+        at: [i32; 2],
         pixels: usize,
-    ) -> (Piece<Self::Walk>, Self::Rest);
+        mut visit: impl FnMut(Piece<Self::Walk>),
+    ) {
+        let (first, rest) = Self::walk(field, at, pixels);
+        visit(first);
+        rest.for_each(visit);
+    }
 
     /// Returns the value that a shader sees.
     fn sample(value: Self::Walk) -> Self::Sample;
 }
-
-/// What a number has at the first pixel of a span.
-pub type First<V> = <<V as Interpolate>::Field as Field>::First;
-
-/// Its change along a row.
-pub type Change<V> = <<V as Interpolate>::Field as Field>::Change;
 
 /// Linear numbers of one type.
 impl<A, const N: usize> Interpolate for [A; N]
@@ -186,8 +199,13 @@ where
     }
 
     #[inline(always)]
-    fn walk(first: Self::Walk, step: Self::Walk, pixels: usize) -> (Piece<Self::Walk>, Self::Rest) {
-        (Piece { first, step, pixels }, core::iter::empty())
+    fn whole(field: &Self::Field, at: [i32; 2], pixels: usize) -> Option<Piece<Self::Walk>> {
+        Some(field.piece(at, pixels))
+    }
+
+    #[inline(always)]
+    fn walk(field: &Self::Field, at: [i32; 2], pixels: usize) -> (Piece<Self::Walk>, Self::Rest) {
+        (field.piece(at, pixels), core::iter::empty())
     }
 
     #[inline(always)]
@@ -216,13 +234,16 @@ impl<A: Interpolate, B: Interpolate> Interpolate for (A, B) {
     }
 
     #[inline(always)]
-    fn walk(
-        first: First<Self>,
-        change: Change<Self>,
-        pixels: usize,
-    ) -> (Piece<Self::Walk>, Both<A, B>) {
-        let (one, one_rest) = A::walk(first.0, change.0, pixels);
-        let (other, other_rest) = B::walk(first.1, change.1, pixels);
+    fn whole(field: &Self::Field, at: [i32; 2], pixels: usize) -> Option<Piece<Self::Walk>> {
+        let one = A::whole(&field.0, at, pixels)?;
+        let other = B::whole(&field.1, at, pixels)?;
+        Some(Piece { first: (one.first, other.first), step: (one.step, other.step), pixels })
+    }
+
+    #[inline(always)]
+    fn walk(field: &Self::Field, at: [i32; 2], pixels: usize) -> (Piece<Self::Walk>, Both<A, B>) {
+        let (one, one_rest) = A::walk(&field.0, at, pixels);
+        let (other, other_rest) = B::walk(&field.1, at, pixels);
         let mut rest = Both { one, one_rest, other, other_rest };
         (rest.cut(), rest)
     }

@@ -25,7 +25,7 @@ mod varyings;
 pub use components::Components;
 pub use depth::{DepthFormat, NoDepth};
 pub use float::FloatDepth;
-pub use interpolate::{Change, First, Interpolate, Piece, Step, Whole};
+pub use interpolate::{Interpolate, Piece, Step, Whole};
 pub use perspective::{
     Adaptive, Affine, Corrected, Correction, Every, EveryPixel, Pace, PerspectiveCorrect,
 };

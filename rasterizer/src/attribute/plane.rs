@@ -26,7 +26,7 @@
 use core::marker::PhantomData;
 
 use super::Step;
-use crate::numbers::{Divisor, Reciprocal, Subpixel, leading_zeros, mul_high};
+use crate::numbers::{Divisor, Reciprocal, Subpixel, leading_zeros, mul_high, mul_wide};
 
 /// A linear function of the pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,70 +39,40 @@ pub struct Plane<T> {
     pub per_row: T,
 }
 
+impl<T: Step> Plane<T> {
+    /// Returns the value at the centre of the pixel that lies `columns` and `rows` from the anchor.
+    #[inline(always)]
+    pub fn at(&self, columns: i32, rows: i32) -> T {
+        let row = self.anchor.wrapping_add(self.per_row.wrapping_mul(rows));
+        row.wrapping_add(self.per_column.wrapping_mul(columns))
+    }
+}
+
 /// A value as a function of the pixel over a triangle.
 ///
 /// It is set up about an anchor, a pixel of the triangle, and then counts in addresses and rows.
 pub trait Field: Copy + core::fmt::Debug {
-    /// The value at the first pixel of a span.
-    type First: Copy + core::fmt::Debug;
-    /// Its change along a row.
-    type Change: Copy + core::fmt::Debug;
-
     /// Returns the same function of addresses and rows. `to_first` is the way from the anchor to
     /// the pixel at address 0 of row 0, in columns and rows, and a row has `pitch` addresses.
     #[must_use]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self;
-
-    /// Returns the value at the centre of the pixel at an address of a row.
-    fn at(&self, address: i32, row: i32) -> Self::First;
-
-    /// Returns the change along a row.
-    fn change(&self) -> Self::Change;
 }
 
 impl<T: Step> Field for Plane<T> {
-    type First = T;
-    type Change = T;
-
     #[inline(always)]
-    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
-        let [columns, rows] = to_first;
+    fn over_addresses(self, [columns, rows]: [i32; 2], pitch: i32) -> Self {
         Self {
             anchor: self.at(columns, rows),
             per_column: self.per_column,
             per_row: self.per_row.wrapping_add(self.per_column.wrapping_mul(-pitch)),
         }
     }
-
-    #[inline(always)]
-    fn at(&self, address: i32, row: i32) -> T {
-        let first = self.anchor.wrapping_add(self.per_row.wrapping_mul(row));
-        first.wrapping_add(self.per_column.wrapping_mul(address))
-    }
-
-    #[inline(always)]
-    fn change(&self) -> T {
-        self.per_column
-    }
 }
 
 impl<A: Field, B: Field> Field for (A, B) {
-    type First = (A::First, B::First);
-    type Change = (A::Change, B::Change);
-
     #[inline(always)]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
         (self.0.over_addresses(to_first, pitch), self.1.over_addresses(to_first, pitch))
-    }
-
-    #[inline(always)]
-    fn at(&self, address: i32, row: i32) -> Self::First {
-        (self.0.at(address, row), self.1.at(address, row))
-    }
-
-    #[inline(always)]
-    fn change(&self) -> Self::Change {
-        (self.0.change(), self.1.change())
     }
 }
 
@@ -127,6 +97,9 @@ pub struct QuickGradients {
     reciprocal: i32,
     up: u32,
     left: u32,
+    /// The reciprocal before it is shifted to the right, and by how many bits.
+    mantissa: i32,
+    right: u32,
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
@@ -190,10 +163,46 @@ impl<S: Subpixel> TriangleSetup<S> {
     }
 
     /// The plane of a number of 32 bits in Q32.32, with 18 digits behind the point, modulo 2^64.
+    ///
+    /// By the reciprocal it is for numbers that differ by less than 2^31, and each gradient is
+    /// within 2^-26 of the largest one that a triangle of this extent and area can have.
     #[inline(always)]
-    pub(super) fn wide_plane(&self, _: Option<QuickGradients>, corners: [u32; 3]) -> Plane<u64> {
+    pub(super) fn wide_plane(
+        &self,
+        quick: Option<QuickGradients>,
+        corners: [u32; 3],
+    ) -> Plane<u64> {
+        if let Some(quick) = quick {
+            return self.quick_wide_plane(quick, corners);
+        }
         let Plane { anchor, per_column, per_row } = self.exact_wide_plane(corners);
         Plane { anchor: anchor << 14, per_column: per_column << 14, per_row: per_row << 14 }
+    }
+
+    // codegen: not inlined, because three numbers or more of a triangle call it.
+    #[inline(never)]
+    fn quick_wide_plane(&self, quick: QuickGradients, [a, b, c]: [u32; 3]) -> Plane<u64> {
+        let differences = [b.wrapping_sub(a) as i32, c.wrapping_sub(a) as i32];
+        let QuickGradients { mantissa, up, right, left, .. } = quick;
+        // p q - r s without its 16 - `up` lowest bits: less than 2^31, as p and r are less than
+        // 2^31 and q and s have no more bits than the extent.
+        let cross = |[p, q, r, s]: [i32; 4]| {
+            let product = |a: i32, b: i32| {
+                let (upper, lower) = ((a >> 16).wrapping_mul(b), (a & 0xFFFF).wrapping_mul(b));
+                (upper << up).wrapping_add(lower >> (16 - up))
+            };
+            product(p, q).wrapping_sub(product(r, s))
+        };
+        // With 18 digits behind the point.
+        let [x, y] = self.gradients(differences, |products| {
+            mul_wide(cross(products), mantissa) << left >> (14 + right)
+        });
+        let [to_x, to_y] = self.to_anchor.map(i64::from);
+        let to_anchor = x.wrapping_mul(to_x).wrapping_add(y.wrapping_mul(to_y)) >> S::BITS;
+        // Half a unit, so that the digits before the point are rounded.
+        let anchor = (i64::from(a) << 18) + (1 << 17) + to_anchor;
+        let in_q32 = |value: i64| (value as u64) << 14;
+        Plane { anchor: in_q32(anchor), per_column: in_q32(x), per_row: in_q32(y) }
     }
 
     /// The columns and rows from the anchor to any covered pixel, together, at most.
@@ -206,7 +215,7 @@ impl<S: Subpixel> TriangleSetup<S> {
     #[inline(always)]
     pub(super) fn quick_plane(&self, quick: QuickGradients, [a, b, c]: [u16; 3]) -> Plane<u32> {
         let differences = [i32::from(b) - i32::from(a), i32::from(c) - i32::from(a)];
-        let QuickGradients { reciprocal, up, left } = quick;
+        let QuickGradients { reciprocal, up, left, .. } = quick;
         let gradient = |n: i32| mul_high(n << up, reciprocal);
         let [x, y] = self.gradients(differences, |products| gradient(wrapping_cross(products)));
         // Half a pixel at most: the bits dropped first cost 2^S / 2^16 units. Quotients are below
@@ -288,6 +297,12 @@ impl QuickGradients {
         let up = zeros - 17;
         let right = 14 + up as i32 - S::BITS as i32 - area_zeros as i32;
         let mantissa = if is_positive { reciprocal.mantissa } else { -reciprocal.mantissa };
-        Some(Self { reciprocal: mantissa >> right.max(0), up, left: (right.max(0) - right) as u32 })
+        Some(Self {
+            reciprocal: mantissa >> right.max(0),
+            up,
+            left: (right.max(0) - right) as u32,
+            mantissa,
+            right: right.max(0) as u32,
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! The checks that make a mesh safe to draw.
 
-use super::{Tables, Triangles};
+use super::{Tables, TextureCoordinates, Triangles};
 
 /// What is wrong with a model's tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -23,7 +23,12 @@ pub enum MeshError {
     FaceNormalCount,
     /// `texture_coordinates` is neither empty nor as long as `positions`.
     TextureCoordinateCount,
-    /// The `fraction_bits` of `texture_coordinates` are over 16.
+    /// A vertex has texture coordinates beyond the limit.
+    TextureRange {
+        /// The vertex's place in the table, from 0.
+        vertex: usize,
+    },
+    /// The `fraction_bits` of `texture_coordinates` are below 10 or over 16.
     TextureFractionBits,
     /// The materials' triangle counts do not add up to the number of triangles.
     MaterialCoverage,
@@ -45,8 +50,11 @@ impl MeshError {
             Self::TextureCoordinateCount => {
                 "`texture_coordinates` must be empty or as long as `positions`"
             }
+            Self::TextureRange { .. } => {
+                "texture coordinates must lie between -64 and 64 repeats of the texture"
+            }
             Self::TextureFractionBits => {
-                "the `fraction_bits` of `texture_coordinates` must be 16 or less"
+                "the `fraction_bits` of `texture_coordinates` must be 10 to 16"
             }
             Self::MaterialCoverage => {
                 "the materials' `triangle_count`s must add up to the number of triangles"
@@ -58,10 +66,11 @@ impl MeshError {
 impl core::fmt::Display for MeshError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(self.message())?;
-        if let Self::IndexOutOfRange { triangle } = self {
-            write!(f, " (triangle {triangle})")?;
+        match self {
+            Self::IndexOutOfRange { triangle } => write!(f, " (triangle {triangle})"),
+            Self::TextureRange { vertex } => write!(f, " (vertex {vertex})"),
+            _ => Ok(()),
         }
-        Ok(())
     }
 }
 
@@ -91,8 +100,8 @@ pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
     if !is_empty_or(tables.texture_coordinates.len(), vertices) {
         return Err(MeshError::TextureCoordinateCount);
     }
-    if tables.texture_coordinates.fraction_bits() > 16 {
-        return Err(MeshError::TextureFractionBits);
+    if let Err(error) = texture_coordinates(&tables.texture_coordinates) {
+        return Err(error);
     }
     materials(tables)
 }
@@ -119,6 +128,30 @@ const fn indices(triangles: &Triangles<'_>, vertices: usize) -> Result<(), MeshE
             return Err(MeshError::IndexOutOfRange { triangle });
         }
         triangle += 1;
+    }
+    Ok(())
+}
+
+/// 16 bits hold less than the limit, so only a table of 32 is searched.
+const fn texture_coordinates(coordinates: &TextureCoordinates<'_>) -> Result<(), MeshError> {
+    const LIMIT: u32 = (TextureCoordinates::LIMIT as u32) << 24;
+    match coordinates {
+        TextureCoordinates::I16(_) => {}
+        TextureCoordinates::I32(table) => {
+            let mut vertex = 0;
+            while vertex < table.len() {
+                let [u, v] = table[vertex];
+                if u.unsigned_abs() > LIMIT || v.unsigned_abs() > LIMIT {
+                    return Err(MeshError::TextureRange { vertex });
+                }
+                vertex += 1;
+            }
+        }
+        TextureCoordinates::U16 { fraction_bits, .. } => {
+            if !matches!(*fraction_bits, 10..=16) {
+                return Err(MeshError::TextureFractionBits);
+            }
+        }
     }
     Ok(())
 }

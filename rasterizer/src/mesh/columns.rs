@@ -78,26 +78,41 @@ impl<'a> Normals<'a> {
 
 /// Texture coordinates of vertices: u runs to the right and v downwards from the texture's top-left
 /// corner, and 1 is the width or the height of the texture.
+///
+/// None of them is over [`LIMIT`](Self::LIMIT) repeats of the texture from 0. An empty table stands
+/// for none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum TextureCoordinates<'a> {
-    /// 16 bits a coordinate.
+    /// 16 bits a coordinate, 14 of them behind the binary point: from -2 to 2 in steps of 1/16
+    /// texel of a texture of 1,024.
+    I16(&'a [[i16; 2]]),
+    /// 32 bits a coordinate, 24 of them behind the binary point.
+    I32(&'a [[i32; 2]]),
+    /// The format of older model files. A model that is converted again has one of the others.
     U16 {
-        /// u and v in units of 2<sup>-`fraction_bits`</sup>. An empty table stands for none.
+        /// u and v in units of 2<sup>-`fraction_bits`</sup>.
         table: &'a [[u16; 2]],
-        /// How many of the 16 bits are behind the binary point: 0 to 16.
+        /// How many of the 16 bits are behind the binary point: 10 to 16.
         fraction_bits: u8,
     },
 }
 
-impl<'a> TextureCoordinates<'a> {
+impl TextureCoordinates<'_> {
     /// No texture coordinates.
-    pub const NONE: Self = Self::U16 { table: &[], fraction_bits: 16 };
+    pub const NONE: Self = Self::I16(&[]);
+
+    /// The most repeats of a texture that a coordinate may be from 0, on either side.
+    pub const LIMIT: i32 = 64;
 
     /// The number of vertices that have texture coordinates.
     #[must_use]
     pub const fn len(&self) -> usize {
-        self.as_slice().len()
+        match self {
+            Self::I16(table) => table.len(),
+            Self::I32(table) => table.len(),
+            Self::U16 { table, .. } => table.len(),
+        }
     }
 
     /// Whether there are no texture coordinates.
@@ -106,25 +121,31 @@ impl<'a> TextureCoordinates<'a> {
         self.len() == 0
     }
 
-    /// The texture coordinates of vertex `index`, or `None` past the end.
-    #[inline]
-    #[must_use]
-    pub fn get(&self, index: usize) -> Option<[u16; 2]> {
-        self.as_slice().get(index).copied()
-    }
-
-    /// How many bits of a coordinate are behind the binary point: 0 to 16.
+    /// The texture coordinates of vertex `index` with 24 bits behind the binary point, exact for
+    /// every format, or `None` past the end.
     #[inline(always)]
     #[must_use]
-    pub const fn fraction_bits(&self) -> u8 {
-        let Self::U16 { fraction_bits, .. } = *self;
-        fraction_bits
+    pub fn get(&self, index: usize) -> Option<[i32; 2]> {
+        match *self {
+            Self::I16(table) => Some(table.get(index)?.map(|c| i32::from(c) << 10)),
+            Self::I32(table) => table.get(index).copied(),
+            // A mesh has at least 10 bits: the coordinate is below 2^6 repeats.
+            Self::U16 { table, fraction_bits } => {
+                let up = 24 - u32::from(fraction_bits).min(24);
+                Some(table.get(index)?.map(|c| i32::from(c) << up))
+            }
+        }
     }
 
+    /// The texture coordinates of vertex `index` with 14 bits behind the binary point, if they have
+    /// 16 bits ([`I16`](Self::I16)).
     #[inline(always)]
-    pub(super) const fn as_slice(&self) -> &'a [[u16; 2]] {
-        let Self::U16 { table, .. } = *self;
-        table
+    #[must_use]
+    pub fn get_q14(&self, index: usize) -> Option<[i16; 2]> {
+        match self {
+            Self::I16(table) => table.get(index).copied(),
+            _ => None,
+        }
     }
 }
 

@@ -210,13 +210,50 @@ mod tests {
             fault(|t| t.face_normals = Normals::I8(&[[0, 0, 127]])),
             MeshError::FaceNormalCount
         );
-        let textured = |table, fraction_bits| {
-            let texture_coordinates = TextureCoordinates::U16 { table, fraction_bits };
-            Mesh::new(Tables { texture_coordinates, ..TETRAHEDRON })
-        };
-        assert_eq!(textured(&[[0, 0]], 16), Err(MeshError::TextureCoordinateCount));
-        assert_eq!(textured(&[[0, 0]; 4], 17), Err(MeshError::TextureFractionBits));
-        assert!(textured(&[[0, 0]; 4], 16).is_ok());
         assert_eq!(fault(|t| t.materials = &[]), MeshError::MaterialCoverage);
+    }
+
+    #[test]
+    fn texture_coordinates_are_at_most_64_repeats_from_zero() {
+        const LIMIT: i32 = 64 << 24;
+        let textured = |texture_coordinates| {
+            Mesh::new(Tables { texture_coordinates, ..TETRAHEDRON }).map(|_| ())
+        };
+        let count = Err(MeshError::TextureCoordinateCount);
+        assert_eq!(textured(TextureCoordinates::I16(&[[0; 2]])), count);
+        assert_eq!(textured(TextureCoordinates::I32(&[[0; 2]; 5])), count);
+        assert_eq!(textured(TextureCoordinates::I16(&[[i16::MIN, i16::MAX]; 4])), Ok(()));
+        let wide = |last: [i32; 2]| {
+            let table = [[LIMIT, -LIMIT], [-LIMIT, LIMIT], [0; 2], last];
+            let texture_coordinates = TextureCoordinates::I32(&table);
+            Mesh::new(Tables { texture_coordinates, ..TETRAHEDRON }).map(|_| ())
+        };
+        assert_eq!(wide([LIMIT, -LIMIT]), Ok(()));
+        let range = MeshError::TextureRange { vertex: 3 };
+        for last in [[0, -LIMIT - 1], [LIMIT + 1, 0], [i32::MIN, 0], [0, i32::MAX]] {
+            assert_eq!(wide(last), Err(range));
+        }
+        assert!(std::format!("{range}").ends_with("(vertex 3)"), "{range}");
+        let bits = |fraction_bits| {
+            textured(TextureCoordinates::U16 { table: &[[0; 2]; 4], fraction_bits })
+        };
+        for fraction_bits in [0, 9, 17, 255] {
+            assert_eq!(bits(fraction_bits), Err(MeshError::TextureFractionBits));
+        }
+        assert_eq!((bits(10), bits(16)), (Ok(()), Ok(())));
+    }
+
+    #[test]
+    fn texture_coordinates_of_every_format_have_24_bits() {
+        let both = |column: TextureCoordinates<'_>| (column.get(0), column.get_q14(0));
+        let q14 = [i16::MIN, 3];
+        let wide = Some([-2 << 24, 3 << 10]);
+        assert_eq!(both(TextureCoordinates::I16(&[q14])), (wide, Some(q14)));
+        assert_eq!(both(TextureCoordinates::I32(&[[-7, 64 << 24]])), (Some([-7, 64 << 24]), None));
+        let old =
+            |fraction_bits| both(TextureCoordinates::U16 { table: &[[65_535, 1]], fraction_bits });
+        assert_eq!(old(16), (Some([65_535 << 8, 1 << 8]), None));
+        assert_eq!(old(10), (Some([65_535 << 14, 1 << 14]), None));
+        assert_eq!(both(TextureCoordinates::NONE), (None, None));
     }
 }

@@ -11,12 +11,18 @@ pub struct RequiredTables {
     pub face_normals: bool,
     /// [`Tables::texture_coordinates`].
     pub texture_coordinates: bool,
+    /// [`Tables::texture_coordinates`] of 16 bits ([`TextureCoordinates::I16`]).
+    pub narrow_texture_coordinates: bool,
 }
 
 impl RequiredTables {
     /// None of them.
-    pub const NONE: Self =
-        Self { vertex_normals: false, face_normals: false, texture_coordinates: false };
+    pub const NONE: Self = Self {
+        vertex_normals: false,
+        face_normals: false,
+        texture_coordinates: false,
+        narrow_texture_coordinates: false,
+    };
 
     /// `tables` with each per-vertex table that this shader reads cut to `count` entries; `None` if
     /// one is shorter.
@@ -25,14 +31,21 @@ impl RequiredTables {
     pub(crate) fn of_vertices<'a>(self, tables: &Tables<'a>, count: usize) -> Option<Tables<'a>> {
         let Positions::I16(positions) = tables.positions;
         let Normals::I8(normals) = tables.vertex_normals;
-        let TextureCoordinates::U16 { table: coordinates, fraction_bits } =
-            tables.texture_coordinates;
+        let is_textured = self.texture_coordinates || self.narrow_texture_coordinates;
         Some(Tables {
             positions: Positions::I16(positions.get(..count)?),
             vertex_normals: Normals::I8(cut(normals, count, self.vertex_normals)?),
-            texture_coordinates: TextureCoordinates::U16 {
-                table: cut(coordinates, count, self.texture_coordinates)?,
-                fraction_bits,
+            texture_coordinates: match tables.texture_coordinates {
+                TextureCoordinates::I16(table) => {
+                    TextureCoordinates::I16(cut(table, count, is_textured)?)
+                }
+                TextureCoordinates::I32(table) => {
+                    TextureCoordinates::I32(cut(table, count, is_textured)?)
+                }
+                TextureCoordinates::U16 { table, fraction_bits } => TextureCoordinates::U16 {
+                    table: cut(table, count, is_textured)?,
+                    fraction_bits,
+                },
             },
             ..*tables
         })
@@ -71,21 +84,20 @@ impl<'a> MeshVertex<'a> {
         self.tables.vertex_normals.get(self.index).unwrap_or_default()
     }
 
-    /// Its texture coordinates u and v, in units of
-    /// 2<sup>-[`texture_fraction_bits`](Self::texture_fraction_bits)</sup>; zero if the mesh has
-    /// none.
+    /// Its texture coordinates u and v with 24 bits behind the binary point, 1 being the texture's
+    /// width or height; zero if the mesh has none.
     #[inline(always)]
     #[must_use]
-    pub fn texture_coordinates(&self) -> [u16; 2] {
+    pub fn texture_coordinates(&self) -> [i32; 2] {
         self.tables.texture_coordinates.get(self.index).unwrap_or_default()
     }
 
-    /// How many bits of its texture coordinates are behind the binary point: 0 to 16, the same for
-    /// all vertices of a mesh.
+    /// Its texture coordinates u and v with 14 bits behind the binary point, for meshes whose table
+    /// has 16 bits ([`TextureCoordinates::I16`]); zero for others.
     #[inline(always)]
     #[must_use]
-    pub const fn texture_fraction_bits(&self) -> u8 {
-        self.tables.texture_coordinates.fraction_bits()
+    pub fn texture_coordinates_q14(&self) -> [i16; 2] {
+        self.tables.texture_coordinates.get_q14(self.index).unwrap_or_default()
     }
 }
 

@@ -45,6 +45,16 @@ pub(crate) const fn mul_high_unsigned(a: u32, b: u32) -> u32 {
     }
 }
 
+/// a b in 64 bits.
+#[inline(always)]
+pub(crate) const fn mul_wide(a: i32, b: i32) -> i64 {
+    if IS_NARROW {
+        ((software::mul_high_by_halves(a, b) as i64) << 32) | (a.wrapping_mul(b) as u32 as i64)
+    } else {
+        a as i64 * b as i64
+    }
+}
+
 /// The product with a number in Q30, rounded. It is not inlined: only angles and lights use it,
 /// once per frame.
 #[inline(never)]

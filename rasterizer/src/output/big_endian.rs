@@ -7,6 +7,7 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 use super::{StoredColor, WordFill};
+use crate::texture::Mix;
 
 /// RGB565 with its more significant byte first, the order in which SPI displays take it: a DMA
 /// channel can send a band of these as it lies in memory.
@@ -43,6 +44,22 @@ impl PixelColor for Rgb565Be {
 
 impl StoredColor for Rgb565Be {
     type Fill = WordFill<Self>;
+}
+
+/// As [`Rgb565`].
+impl Mix for Rgb565Be {
+    const FRACTION_BITS: u32 = Rgb565::FRACTION_BITS;
+    const LIGHT_BITS: u32 = Rgb565::LIGHT_BITS;
+
+    #[inline(always)]
+    fn mixed(colors: [Self; 4], fractions: [u32; 2]) -> Self {
+        Rgb565::mixed(colors.map(Rgb565::from), fractions).into()
+    }
+
+    #[inline(always)]
+    fn lit(self, level: u32) -> Self {
+        Rgb565::from(self).lit(level).into()
+    }
 }
 
 impl From<Rgb565> for Rgb565Be {

@@ -19,7 +19,7 @@ pub trait Blending<T: Target>: Copy {
         target: &mut T,
         primitive: &Q,
         window: &Window,
-        pixel: impl FnMut(FragmentOf<Q>) -> O,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), T::Error>;
 
     /// Draws a primitive's pixels in a part of the target's window, all of one colour.
@@ -47,7 +47,7 @@ impl<T: Target> Blending<T> for Replace {
         target: &mut T,
         primitive: &Q,
         window: &Window,
-        pixel: impl FnMut(FragmentOf<Q>) -> O,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), T::Error> {
         target.shade(primitive, window, pixel)
     }
@@ -99,9 +99,9 @@ impl<T: Readable, F: Fn(T::Color, T::Color) -> T::Color + Copy> Blending<T> for 
         target: &mut T,
         primitive: &Q,
         window: &Window,
-        mut pixel: impl FnMut(FragmentOf<Q>) -> O,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), T::Error> {
-        target.blend(primitive, window, |stored, fragment| Blended {
+        target.blend(primitive, window, move |stored, fragment| Blended {
             stored,
             new: pixel(fragment),
             by: self.0,

@@ -43,7 +43,7 @@ const fn columns(window: &Window) -> Layout {
     Layout { pitch: 0, origin: window.left }
 }
 
-const fn rectangle<V: Interpolate>(window: &Window, span: &Span<NoDepth, V>) -> Rectangle {
+const fn rectangle<V: Interpolate>(window: &Window, span: &Span<'_, NoDepth, V>) -> Rectangle {
     let width = (span.end - span.start) as u32;
     Rectangle::new(Point::new(window.left + span.start as i32, span.row), Size::new(width, 1))
 }
@@ -58,7 +58,7 @@ struct Fragments<V: Interpolate> {
 }
 
 impl<V: Interpolate> Fragments<V> {
-    fn new(span: &Span<NoDepth, V>, layout: Layout) -> Self {
+    fn new(span: &Span<'_, NoDepth, V>, layout: Layout) -> Self {
         let (run, pixels, rest) = Run::first_of(span);
         Self { run, rest, place: Place::of(span, layout), pixels }
     }
@@ -94,7 +94,7 @@ impl<T: DrawTarget> Target for Direct<'_, T> {
         &mut self,
         primitive: &Q,
         window: &Window,
-        mut pixel: impl FnMut(FragmentOf<Q>) -> O,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), T::Error> {
         let layout = columns(window);
         primitive.for_each_span(window, layout, |span| {

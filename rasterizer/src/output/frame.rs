@@ -333,7 +333,7 @@ impl<C: StoredColor, B: DepthBuffer, R: Rows> Target for Frame<'_, C, B, R> {
         &mut self,
         primitive: &Q,
         window: &Window,
-        mut pixel: impl FnMut(FragmentOf<Q>) -> O,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), Infallible> {
         self.blend(primitive, window, move |_, fragment| pixel(fragment))
     }
@@ -359,7 +359,7 @@ impl<C: StoredColor, B: DepthBuffer, R: Rows> Readable for Frame<'_, C, B, R> {
         &mut self,
         primitive: &Q,
         window: &Window,
-        pixel: impl FnMut(C, FragmentOf<Q>) -> O,
+        pixel: impl Fn(C, FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), Infallible> {
         let Self { color, depth, layout, .. } = self;
         depth.with(|cells| pixels::draw(color, cells, primitive, window, *layout, pixel))

@@ -47,7 +47,7 @@ pub trait Target {
         &mut self,
         primitive: &Q,
         window: &Window,
-        pixel: impl FnMut(FragmentOf<Q>) -> O,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), Self::Error>;
 
     /// Draws a primitive's pixels in a part of the window, all of one colour. By
@@ -85,6 +85,6 @@ pub trait Readable: Target {
         &mut self,
         primitive: &Q,
         window: &Window,
-        pixel: impl FnMut(Self::Color, FragmentOf<Q>) -> O,
+        pixel: impl Fn(Self::Color, FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), Self::Error>;
 }

@@ -23,30 +23,57 @@ pub(super) fn draw<C: Copy, Q: Primitive, O: Outcome<C>>(
     primitive: &Q,
     window: &Window,
     layout: Layout,
-    mut pixel: impl FnMut(C, FragmentOf<Q>) -> O,
+    pixel: impl Fn(C, FragmentOf<Q>) -> O + Copy,
 ) -> Result<(), Infallible> {
     // Of one length, they share the test of a span's end.
     let pixels = colors.len().min(cells.len());
     let colors = colors.get_mut(..pixels).unwrap_or_default();
     let cells = cells.get_mut(..pixels).unwrap_or_default();
     primitive.for_each_span(window, layout, |span| {
-        let mut start = span.start;
-        let mut place = Place::of(span, layout);
-        let (mut run, mut pixels, mut rest) = Run::<Q::Depth, Q::Varyings>::first_of(span);
-        loop {
-            let end = start + pixels;
-            if let (Some(colors), Some(cells)) =
-                (colors.get_mut(start..end), cells.get_mut(start..end))
-            {
-                run.draw(colors, cells, place, &mut pixel);
+        let at = [span.start as i32, span.row];
+        match Q::Varyings::whole(span.varyings, at, span.end - span.start) {
+            Some(piece) => {
+                if let (Some(colors), Some(cells)) =
+                    (colors.get_mut(span.start..span.end), cells.get_mut(span.start..span.end))
+                {
+                    let run = Run::<Q::Depth, Q::Varyings>::of(span.depth, span.depth_step, piece);
+                    run.draw(colors, cells, Place::of(span, layout), pixel);
+                }
             }
-            let Some(piece) = rest.next() else { return Ok(()) };
-            start = end;
-            place = place.right(pixels);
-            run.skip(pixels);
-            pixels = run.enter(piece);
+            None => draw_pieces(colors, cells, span, Place::of(span, layout), pixel),
         }
+        Ok(())
     })
+}
+
+/// Draws a span in several pieces.
+// codegen: not inlined, because the loop over rows needs its registers.
+#[inline(never)]
+fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
+    colors: &mut [C],
+    cells: &mut [D],
+    span: &Span<'_, D, V>,
+    mut place: Place,
+    pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+) {
+    let (Some(mut colors), Some(mut cells)) =
+        (colors.get_mut(span.start..span.end), cells.get_mut(span.start..span.end))
+    else {
+        return;
+    };
+    let mut depth = span.depth;
+    let at = [span.start as i32, span.row];
+    V::for_each_piece(span.varyings, at, span.end - span.start, |piece| {
+        let Piece { pixels, .. } = piece;
+        if let (Some(colors), Some(cells)) =
+            (colors.split_off_mut(..pixels), cells.split_off_mut(..pixels))
+        {
+            let run = Run::<D, V>::of(depth, span.depth_step, piece);
+            run.draw_pairs(colors, cells, place, pixel);
+        }
+        place = place.right(pixels);
+        depth = depth.wrapping_add(span.depth_step.wrapping_mul(pixels as i32));
+    });
 }
 
 /// The place of a pixel on the display.
@@ -60,7 +87,7 @@ impl Place {
     /// Of the first pixel of a span.
     #[inline(always)]
     pub(super) const fn of<D: DepthFormat, V: Interpolate>(
-        span: &Span<D, V>,
+        span: &Span<'_, D, V>,
         layout: Layout,
     ) -> Self {
         let column = (span.start as i32).wrapping_sub(layout.row_address(span.row));
@@ -87,15 +114,16 @@ pub(super) struct Run<D: DepthFormat, V: Interpolate> {
 impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     /// The first piece of a span, its number of pixels, and the pieces after it.
     #[inline(always)]
-    pub(super) fn first_of(span: &Span<D, V>) -> (Self, usize, V::Rest) {
-        let (piece, rest) = V::walk(span.varyings, span.varyings_change, span.end - span.start);
-        let run = Self {
-            depth: span.depth,
-            depth_step: span.depth_step,
-            varyings: piece.first,
-            varyings_step: piece.step,
-        };
-        (run, piece.pixels, rest)
+    pub(super) fn first_of(span: &Span<'_, D, V>) -> (Self, usize, V::Rest) {
+        let at = [span.start as i32, span.row];
+        let (piece, rest) = V::walk(span.varyings, at, span.end - span.start);
+        (Self::of(span.depth, span.depth_step, piece), piece.pixels, rest)
+    }
+
+    /// A piece of a span, with the depth at its first pixel.
+    #[inline(always)]
+    const fn of(depth: D::Walk, depth_step: D::Walk, piece: Piece<V::Walk>) -> Self {
+        Self { depth, depth_step, varyings: piece.first, varyings_step: piece.step }
     }
 
     /// Goes on with the span's next piece, behind the last pixel of this one. Returns its number of
@@ -104,12 +132,6 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     pub(super) const fn enter(&mut self, piece: Piece<V::Walk>) -> usize {
         (self.varyings, self.varyings_step) = (piece.first, piece.step);
         piece.pixels
-    }
-
-    /// Takes the depth `pixels` pixels on.
-    #[inline(always)]
-    fn skip(&mut self, pixels: usize) {
-        self.depth = self.depth.wrapping_add(self.depth_step.wrapping_mul(pixels as i32));
     }
 
     /// The fragment at hand.
@@ -136,7 +158,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         colors: &mut [C],
         cells: &mut [D],
         place: Place,
-        mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         if cells.len() >= LONG_RUN {
             self.draw_long(colors, cells, place.column, place.row, pixel);
@@ -149,7 +171,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
             let (Some(color), Some(cell)) = (colors.get_mut(index), cells.get_mut(index)) else {
                 break;
             };
-            self.draw_pixel(color, cell, place.right(index), &mut pixel);
+            self.draw_pixel(color, cell, place.right(index), pixel);
         }
     }
 
@@ -158,24 +180,35 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     // passed to it if nobody reads them.
     #[inline(never)]
     fn draw_long<C: Copy, O: Outcome<C>>(
-        mut self,
+        self,
         colors: &mut [C],
         cells: &mut [D],
         column: i32,
         row: i32,
-        mut pixel: impl FnMut(C, Fragment<V::Sample>) -> O,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
-        let mut place = Place { column, row };
+        self.draw_pairs(colors, cells, Place { column, row }, pixel);
+    }
+
+    /// Two pixels at a time.
+    #[inline(always)]
+    fn draw_pairs<C: Copy, O: Outcome<C>>(
+        mut self,
+        colors: &mut [C],
+        cells: &mut [D],
+        mut place: Place,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
         let (color_pairs, last_color) = colors.as_chunks_mut::<2>();
         let (cell_pairs, last_cell) = cells.as_chunks_mut::<2>();
         for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
             codegen::keep_rolled();
-            self.draw_pixel(color, cell, place, &mut pixel);
-            self.draw_pixel(next_color, next_cell, place.right(1), &mut pixel);
+            self.draw_pixel(color, cell, place, pixel);
+            self.draw_pixel(next_color, next_cell, place.right(1), pixel);
             place = place.right(2);
         }
         for (color, cell) in last_color.iter_mut().zip(last_cell) {
-            self.draw_pixel(color, cell, place, &mut pixel);
+            self.draw_pixel(color, cell, place, pixel);
         }
     }
 
@@ -186,7 +219,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         color: &mut C,
         cell: &mut D,
         place: Place,
-        pixel: &mut impl FnMut(C, Fragment<V::Sample>) -> O,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         let here = *self;
         self.step();

@@ -71,7 +71,6 @@ impl<'v, V: Interpolate> Gradients<'v, V> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::attribute::Field as _;
     use crate::raster::{Layout, Primitive as _, Window, signed_area};
 
     /// At the first pixel of each span the plane has the span's value, for quick and exact planes.
@@ -92,8 +91,9 @@ mod tests {
             let mut spans = 0;
             let Ok(()) = triangle.for_each_span(&window, layout, |span| {
                 let column = span.start as i32 + window.left;
-                assert_eq!(plane.at(column, span.row), span.varyings, "{b:?} {c:?} {span:?}");
-                assert_eq!(plane.per_column, span.varyings_change);
+                let first = span.varyings.at(span.start as i32, span.row);
+                assert_eq!(plane.at(column, span.row), first, "{b:?} {c:?} {span:?}");
+                assert_eq!(plane.per_column, span.varyings.per_column);
                 spans += 1;
                 Ok::<(), core::convert::Infallible>(())
             });

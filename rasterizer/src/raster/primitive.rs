@@ -3,7 +3,7 @@
 use fixed::types::U0F32;
 
 use super::{Layout, Window};
-use crate::attribute::{Change, DepthFormat, First, Interpolate};
+use crate::attribute::{DepthFormat, Interpolate};
 
 /// A shape on the screen: it visits the spans of pixels that it covers.
 ///
@@ -25,14 +25,13 @@ pub trait Primitive {
         &self,
         window: &Window,
         layout: Layout,
-        visit: impl FnMut(&Span<Self::Depth, Self::Varyings>) -> Result<(), E>,
+        visit: impl FnMut(&Span<'_, Self::Depth, Self::Varyings>) -> Result<(), E>,
     ) -> Result<(), E>;
 }
 
-/// Covered pixels of one row, with the attributes at the first one's centre and their change from
-/// pixel to pixel.
+/// Covered pixels of one row, with what is interpolated along them.
 #[derive(Clone, Copy, Debug)]
-pub struct Span<D: DepthFormat, V: Interpolate> {
+pub struct Span<'f, D: DepthFormat, V: Interpolate> {
     /// The row, from the display's upper edge.
     pub row: i32,
     /// The first pixel's address.
@@ -43,10 +42,8 @@ pub struct Span<D: DepthFormat, V: Interpolate> {
     pub depth: D::Walk,
     /// The change of depth from a pixel to the one on its right.
     pub depth_step: D::Walk,
-    /// The varyings at the first pixel.
-    pub varyings: First<V>,
-    /// Their change along the row.
-    pub varyings_change: Change<V>,
+    /// The varyings as functions of addresses and rows.
+    pub varyings: &'f V::Field,
 }
 
 /// A covered pixel, as a shader sees it. What a shader does not read costs nothing.

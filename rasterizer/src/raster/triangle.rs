@@ -101,7 +101,7 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Triangle<'_, S, 
         &self,
         window: &Window,
         layout: Layout,
-        mut visit: impl FnMut(&Span<D, V>) -> Result<(), E>,
+        mut visit: impl FnMut(&Span<'_, D, V>) -> Result<(), E>,
     ) -> Result<(), E> {
         let sorted = self.sorted();
         let Some(extent) = sorted.extent(window) else { return Ok(()) };
@@ -127,9 +127,8 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Triangle<'_, S, 
                 start: start as usize,
                 end: end as usize,
                 depth: depth.at(start, row),
-                depth_step: depth.change(),
-                varyings: varyings.at(start, row),
-                varyings_change: varyings.change(),
+                depth_step: depth.per_column,
+                varyings: &varyings,
             })
         })
     }
@@ -314,12 +313,13 @@ mod tests {
         let mut covered = vec![];
         let triangle = Triangle::new(corners).unwrap();
         let Ok(()) = triangle.for_each_span(&WINDOW, layout, |span| {
-            let (mut depth, mut varyings) = (span.depth, span.varyings);
+            let plane = span.varyings;
+            let (mut depth, mut varyings) = (span.depth, plane.at(span.start as i32, span.row));
             for address in span.start..span.end {
                 let column = address as i32 + layout.origin - span.row * layout.pitch;
                 covered.push((column, span.row, D::at(depth), V::sample(varyings)));
                 depth = depth.wrapping_add(span.depth_step);
-                varyings = varyings.wrapping_add(span.varyings_change);
+                varyings = varyings.wrapping_add(plane.per_column);
             }
             Ok::<(), core::convert::Infallible>(())
         });

@@ -2,7 +2,7 @@
 
 use crate::{
     geometry::PoseError,
-    mesh::{RequiredTables, Tables},
+    mesh::{RequiredTables, Tables, TextureCoordinates},
 };
 
 /// Why an object cannot be drawn.
@@ -25,6 +25,9 @@ pub enum ProjectError {
     NoFaceNormals,
     /// The shader reads texture coordinates, and the mesh has none: convert the model with them.
     NoTextureCoordinates,
+    /// The shader reads texture coordinates of 16 bits, and those of the mesh have more: give the
+    /// shader `with_wide_coordinates()`.
+    WideTextureCoordinates,
     /// The object is too large for how near it comes.
     Pose(PoseError),
 }
@@ -52,6 +55,10 @@ impl core::fmt::Display for ProjectError {
             }
             Self::NoTextureCoordinates => f.write_str(
                 "the shader needs texture coordinates, which the mesh was converted without",
+            ),
+            Self::WideTextureCoordinates => f.write_str(
+                "the shader reads texture coordinates of 16 bits, and those of the mesh have more: \
+                 give it `with_wide_coordinates()`",
             ),
             Self::Pose(error) => error.fmt(f),
         }
@@ -95,8 +102,14 @@ pub(super) const fn check_tables(
         Err(ProjectError::NoVertexNormals)
     } else if required.face_normals && tables.face_normals.is_empty() {
         Err(ProjectError::NoFaceNormals)
-    } else if required.texture_coordinates && tables.texture_coordinates.is_empty() {
+    } else if (required.texture_coordinates || required.narrow_texture_coordinates)
+        && tables.texture_coordinates.is_empty()
+    {
         Err(ProjectError::NoTextureCoordinates)
+    } else if required.narrow_texture_coordinates
+        && !matches!(tables.texture_coordinates, TextureCoordinates::I16(_))
+    {
+        Err(ProjectError::WideTextureCoordinates)
     } else {
         Ok(())
     }

@@ -109,9 +109,11 @@ where
                 let blending = seen.mode.blending();
                 match seen.shader.face(surface, &face, &Gradients::of(&triangle)) {
                     Face::Solid(color) => blending.fill(target, &triangle, &window, color),
-                    Face::Shaded(face) => blending.shade(target, &triangle, &window, |fragment| {
-                        seen.shader.pixel(surface, &face, fragment)
-                    }),
+                    Face::Shaded(face) => {
+                        blending.shade(target, &triangle, &window, move |fragment| {
+                            seen.shader.pixel(surface, &face, fragment)
+                        })
+                    }
                 }
             })
         })

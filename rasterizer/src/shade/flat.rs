@@ -112,7 +112,7 @@ impl<C: Copy + From<Rgb888>> Shader for Flat<C> {
 /// A colour at a brightness in Q16, 0 to 65,536, each channel rounded to the nearest.
 // codegen: not inlined, because the loop over triangles needs its registers.
 #[inline(never)]
-fn scaled_color<C: From<Rgb888>>(color: Rgb888, level: u32) -> C {
+pub(super) fn scaled_color<C: From<Rgb888>>(color: Rgb888, level: u32) -> C {
     let channel = |full: u8| ((u32::from(full) * level + (1 << 15)) >> 16) as u8;
     C::from(Rgb888::new(channel(color.r()), channel(color.g()), channel(color.b())))
 }

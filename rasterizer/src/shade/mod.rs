@@ -13,15 +13,22 @@ mod flat;
 mod gouraud;
 mod light;
 mod lit;
-mod outcome;
 mod ramp;
+mod skin;
+mod textured;
+mod textured_flat;
+mod textured_gouraud;
 
 pub use flat::{Flat, Unlit};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};
-pub use outcome::Outcome;
 pub use ramp::Ramp;
+pub use skin::{Covered, Slot, VertexCoordinates};
+pub use textured::Textured;
+pub use textured_flat::TexturedFlat;
+pub use textured_gouraud::TexturedGouraud;
 
+pub use crate::texture::Outcome;
 use crate::{
     attribute::{Interpolate, Varyings},
     geometry::Pose,
@@ -74,7 +81,7 @@ pub trait Shader: Clone {
     /// What is computed from a material, once for its run of triangles.
     type Surface;
     /// What is computed from a triangle before its pixels are drawn: `()` for most shaders.
-    type Face: Default;
+    type Face: Default + Copy;
     /// The result for a pixel: the colour, or an `Option` of it in a shader that discards pixels.
     type Outcome: Outcome<Self::Color>;
 

@@ -34,6 +34,11 @@ impl<T, const W: usize, const H: usize, X, Y> Coordinates<T, W, H, X, Y> {
     pub const fn new(uv: [T; 2]) -> Self {
         Self { uv, wrap: PhantomData }
     }
+
+    #[inline(always)]
+    pub(super) fn vertex_uv(self) -> [T; 2] {
+        self.uv
+    }
 }
 
 /// The format of a mesh's texture coordinates: `i16`, Q2.14, or `i32`, Q8.24.
@@ -184,12 +189,22 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
     }
 
     #[inline(always)]
+    fn whole(field: &Self::Field, at: [i32; 2], pixels: usize) -> Option<Piece<Self::Walk>> {
+        (pixels <= Anchored::<T, W, H, X, Y>::LONGEST).then(|| Self::walk(field, at, pixels).0)
+    }
+
+    #[inline(always)]
     fn walk(
-        first: [T::Value; 2],
-        change: [T::Value; 2],
+        field: &Self::Field,
+        [address, row]: [i32; 2],
         pixels: usize,
     ) -> (Piece<Self::Walk>, Self::Rest) {
-        let mut rest = Anchored { first, change, pixels, wrap: PhantomData };
+        let mut rest = Anchored {
+            first: field.at(address, row),
+            change: field.per_column,
+            pixels,
+            wrap: PhantomData,
+        };
         (rest.piece(), rest)
     }
 
@@ -243,7 +258,7 @@ pub struct Place<const W: usize, const H: usize, X, Y> {
 
 impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Place<W, H, X, Y> {
     /// Whether one word has room for both coordinates.
-    const IS_PACKED: bool = X::IS_PERIODIC && Y::IS_PERIODIC && W <= 256 && H <= 256;
+    pub(super) const IS_PACKED: bool = X::IS_PERIODIC && Y::IS_PERIODIC && W <= 256 && H <= 256;
 
     /// The binary digits that a texel has in the words.
     const STEP_DIGITS: u32 = {
@@ -276,6 +291,12 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Place<W, H, X, Y> {
         } else {
             Self::of([u as u32, v as u32])
         }
+    }
+
+    /// The fractions of v, in the upper half, and of u in Q0.16, if they are packed.
+    #[inline(always)]
+    pub(super) const fn packed(self) -> u32 {
+        self.words[0]
     }
 
     /// u and v in Q8.24: 1 is a side of the texture. Packed, only their fractions are right.

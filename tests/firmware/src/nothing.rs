@@ -39,7 +39,7 @@ impl<D: DepthFormat> Target for Nothing<D> {
         &mut self,
         primitive: &Q,
         window: &Window,
-        _: impl FnMut(FragmentOf<Q>) -> O,
+        _: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), Infallible> {
         primitive.for_each_span(window, LAYOUT, |span| {
             // codegen: an unused span would not be computed.

@@ -34,7 +34,7 @@ impl Shader for Slopes {
         if !self.is_flat {
             return Face::Shaded(Some(plane));
         }
-        let ([x], y) = plane.change();
+        let ([x], y) = (plane.0.per_column, plane.1.per_column);
         let size = gradients.doubled_area() >> (2 * gradients.subpixel_bits());
         Face::Solid(Rgb888::new((x >> 18) as u8, (y >> 18) as u8, size as u8))
     }
@@ -45,7 +45,11 @@ impl Shader for Slopes {
         plane: &Self::Face,
         fragment: Fragment<([U16F16; 1], I16F16)>,
     ) -> Rgb888 {
-        let ([x], y) = plane.unwrap().at(fragment.column, fragment.row);
+        let ([x], y) = plane
+            .map(|(one, other)| {
+                (one.at(fragment.column, fragment.row), other.at(fragment.column, fragment.row))
+            })
+            .unwrap();
         let seen = (([U16F16::from_bits(x)]), I16F16::from_bits((y ^ 1 << 31) as i32));
         assert_eq!(fragment.varyings, seen);
         Rgb888::new((x >> 24) as u8, (y >> 24) as u8, 9)

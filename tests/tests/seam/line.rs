@@ -14,6 +14,7 @@ struct HorizontalLine<D: DepthFormat, V: Interpolate> {
     /// The column after the last.
     right: i32,
     depth: D::Walk,
+    /// At the first pixel, and the change from pixel to pixel.
     varyings: V::Walk,
     varyings_step: V::Walk,
 }
@@ -26,22 +27,27 @@ impl<D: DepthFormat, V: Linear> Primitive for HorizontalLine<D, V> {
         &self,
         window: &Window,
         layout: Layout,
-        mut visit: impl FnMut(&Span<D, V>) -> Result<(), E>,
+        mut visit: impl FnMut(&Span<'_, D, V>) -> Result<(), E>,
     ) -> Result<(), E> {
         let (left, right) = (self.left.max(window.left), self.right.min(window.right));
         if left >= right || !(window.top..window.bottom).contains(&self.row) {
             return Ok(());
         }
         let address = layout.row_address(self.row);
-        let to_left = self.varyings_step.wrapping_mul(left - self.left);
+        // At the address of the first pixel.
+        let to_address_0 = self.varyings_step.wrapping_mul(-(address + self.left));
+        let plane = Plane {
+            anchor: self.varyings.wrapping_add(to_address_0),
+            per_column: self.varyings_step,
+            per_row: Step::ZERO,
+        };
         visit(&Span {
             row: self.row,
             start: (address + left) as usize,
             end: (address + right) as usize,
             depth: self.depth,
             depth_step: Step::ZERO,
-            varyings: self.varyings.wrapping_add(to_left),
-            varyings_change: self.varyings_step,
+            varyings: &plane,
         })
     }
 }

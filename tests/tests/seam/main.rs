@@ -13,8 +13,8 @@ use embedded_graphics::{
 use fixed::types::{I16F16, U16F16};
 use rasterizer::{
     attribute::{
-        DepthFormat, Field as _, FloatDepth, Interpolate, InverseW, NoDepth, Piece, Plane,
-        QuickGradients, Step, TriangleSetup, Varyings,
+        DepthFormat, FloatDepth, Interpolate, InverseW, NoDepth, Piece, Plane, QuickGradients,
+        Step, TriangleSetup, Varyings,
     },
     camera::{Camera, Distance, Perspective},
     geometry::{CullNone, Pose, ScreenVertex},

@@ -57,7 +57,16 @@ impl<const HOLDS: bool> Interpolate for Stepped<HOLDS> {
         u16::plane(setup, quick, corners.map(|corner| corner.0))
     }
 
-    fn walk(first: u32, step: u32, pixels: usize) -> (Piece<u32>, Pieces<HOLDS>) {
+    fn whole(_: &Plane<u32>, _: [i32; 2], _: usize) -> Option<Piece<u32>> {
+        None
+    }
+
+    fn walk(
+        plane: &Plane<u32>,
+        [address, row]: [i32; 2],
+        pixels: usize,
+    ) -> (Piece<u32>, Pieces<HOLDS>) {
+        let (first, step) = (plane.at(address, row), plane.per_column);
         let mut pieces = Pieces { first, step, pixels };
         (pieces.next().unwrap(), pieces)
     }

@@ -1,7 +1,7 @@
 //! The mode that divides at every visible pixel.
 
 use super::{
-    AlongRow, AtPixel, Corrected, Correction, EveryPixel, Quotient,
+    AtPixel, Corrected, Correction, EveryPixel, Quotient,
     quotient::{Block, Corners},
 };
 use crate::{
@@ -51,13 +51,17 @@ impl<V: Components> Interpolate for OnEveryPixel<V> {
     }
 
     #[inline(always)]
+    fn whole(field: &Quotient<V>, at: [i32; 2], pixels: usize) -> Option<Piece<Dividend<V>>> {
+        Some(piece(field, at, pixels))
+    }
+
+    #[inline(always)]
     fn walk(
-        first: AtPixel<V>,
-        change: AlongRow<V>,
+        field: &Quotient<V>,
+        at: [i32; 2],
         pixels: usize,
     ) -> (Piece<Dividend<V>>, Whole<Dividend<V>>) {
-        let of = |at| Dividend { at, block: change.block };
-        (Piece { first: of(first), step: of(change.step), pixels }, core::iter::empty())
+        (piece(field, at, pixels), core::iter::empty())
     }
 
     #[inline(always)]
@@ -68,6 +72,13 @@ impl<V: Components> Interpolate for OnEveryPixel<V> {
             inverse_w: InverseW::from_bits(block.inverse_w(at.q())),
         }
     }
+}
+
+/// A span, which is one piece.
+#[inline(always)]
+fn piece<V: Components>(field: &Quotient<V>, at: [i32; 2], pixels: usize) -> Piece<Dividend<V>> {
+    let of = |at| Dividend { at, block: field.block };
+    Piece { first: of(field.at(at)), step: of(field.along_row()), pixels }
 }
 
 /// What is divided at a pixel.

@@ -2,9 +2,7 @@
 
 use super::{Affine, Corrected, Correction};
 use crate::{
-    attribute::{
-        Change, Components, First, Interpolate, InverseW, Piece, QuickGradients, TriangleSetup,
-    },
+    attribute::{Components, Interpolate, InverseW, Piece, QuickGradients, TriangleSetup},
     numbers::Subpixel,
 };
 
@@ -44,8 +42,13 @@ impl<V: Components> Interpolate for OnPlane<V> {
     }
 
     #[inline(always)]
-    fn walk(first: First<V>, change: Change<V>, pixels: usize) -> (Piece<V::Walk>, V::Rest) {
-        V::walk(first, change, pixels)
+    fn whole(field: &V::Field, at: [i32; 2], pixels: usize) -> Option<Piece<V::Walk>> {
+        V::whole(field, at, pixels)
+    }
+
+    #[inline(always)]
+    fn walk(field: &V::Field, at: [i32; 2], pixels: usize) -> (Piece<V::Walk>, V::Rest) {
+        V::walk(field, at, pixels)
     }
 
     #[inline(always)]

@@ -4,6 +4,7 @@
 //! quotient (Blinn, *Hyperbolic Interpolation*, IEEE CG&A 12(4), 1992). The type of the mode says
 //! at which pixels it is divided.
 
+mod division;
 mod every_pixel;
 mod linear;
 mod pace;
@@ -13,7 +14,7 @@ mod steps;
 use core::{fmt::Debug, marker::PhantomData};
 
 pub use pace::{Adaptive, Every, Pace};
-use quotient::{AlongRow, AtPixel, Quotient};
+use quotient::{AtPixel, Quotient};
 
 use super::{Components, Interpolate, InverseW, Varyings};
 

@@ -20,7 +20,10 @@
 
 use core::fmt::Debug;
 
-use super::quotient::{Corners, Quotient};
+use super::{
+    division::Division,
+    quotient::{Corners, Quotient},
+};
 use crate::{
     attribute::Components,
     numbers::{leading_zeros, mul_high, normalised},
@@ -28,74 +31,99 @@ use crate::{
 
 /// The length of steps: [`Every`] or [`Adaptive`].
 #[expect(private_bounds, reason = "it is sealed")]
-pub trait Pace: Copy + Debug + Law {}
+pub trait Pace: Copy + Debug + Rule {}
 
-impl<const N: u32> Pace for Every<N> {}
+impl<const N: usize> Pace for Every<N> {}
 impl<const TOLERANCE: u32> Pace for Adaptive<TOLERANCE> {}
 
 /// What determines the length of steps.
-pub(super) trait Law {
+pub(super) trait Rule {
     /// Whether straight lines from corner to corner are within the tolerance.
     fn is_affine<V: Components>(corners: &Corners<V>) -> bool;
 
-    /// What a triangle adds to the law: in eighths of a binary logarithm.
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> i32;
+    /// The law of a triangle.
+    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V>;
 
-    /// The binary logarithm of a step's pixels in a span between these values of q.
-    fn log2_pixels<V: Components>(law: i32, ends: [u32; 2]) -> u32;
+    /// Whether 16 bits are enough for a division.
+    fn may_be_quick<V: Components>(law: &Law<V>) -> bool;
+
+    /// The pixels of a step, 1 to 64, in a span this many rows below the anchor between these values
+    /// of q.
+    fn pixels<V: Components>(
+        law: &Law<V>,
+        division: &Division<V>,
+        rows: i32,
+        ends: [u32; 2],
+    ) -> usize;
 }
 
-/// At every `N`-th pixel of a span and at its last one; straight between them. `N` is a power of
-/// two from 2 to 64.
+/// At every `N`-th pixel of a span and at its last one; straight between them. `N` is 2 to 64.
 ///
 /// The straight line is off by up to e = |du| |√r - 1| / (√r + 1), where du is the change of the
 /// number over a step and r the ratio of 1 / w at its ends. For a wall that recedes to twice its
 /// distance over 320 pixels, with 64 texels to a unit of depth, that is 0.07 texels with `N` = 16;
 /// for one that recedes to ten times its distance, 18 texels: [`Adaptive`] keeps a bound there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Every<const N: u32>;
+pub struct Every<const N: usize>;
 
-impl<const N: u32> Every<N> {
-    const LOG2: u32 = {
-        assert!(N.is_power_of_two() && N >= 2 && N <= 64, "N is a power of two from 2 to 64");
-        N.trailing_zeros()
-    };
-}
-
-impl<const N: u32> Law for Every<N> {
+impl<const N: usize> Rule for Every<N> {
     #[inline(always)]
     fn is_affine<V: Components>(_: &Corners<V>) -> bool {
         false
     }
 
     #[inline(always)]
-    fn of<V: Components>(_: &Corners<V>, _: &Quotient<V>, _: u32) -> i32 {
-        0
+    fn of<V: Components>(_: &Corners<V>, _: &Quotient<V>) -> Law<V> {
+        Law { w: V::each([0; 2]), level: 0, is_quick: false }
     }
 
     #[inline(always)]
-    fn log2_pixels<V: Components>(_: i32, _: [u32; 2]) -> u32 {
-        Self::LOG2
+    fn may_be_quick<V: Components>(_: &Law<V>) -> bool {
+        false
+    }
+
+    #[inline(always)]
+    fn pixels<V: Components>(_: &Law<V>, _: &Division<V>, _: i32, _: [u32; 2]) -> usize {
+        const { assert!(N >= 2 && N <= LONGEST, "N is 2 to 64") }
+        N
     }
 }
 
-/// As often as a tolerance needs it: the straight line between two divisions is within `TOLERANCE`
+/// The pixels of the longest step.
+const LONGEST: usize = 64;
+
+/// As often as a tolerance needs it: what is stepped between two divisions is within `TOLERANCE`
 /// sixteenths of a texel, or of a varying's unit. Steps have 1 to 64 pixels, chosen for each span;
 /// a triangle that stays within the tolerance without any division gets none.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Adaptive<const TOLERANCE: u32 = 8>;
 
-/// The binary logarithm of the longest step.
-const LONGEST: i32 = 6;
-
 impl<const TOLERANCE: u32> Adaptive<TOLERANCE> {
     const LIMIT: u32 = {
-        assert!(TOLERANCE >= 1 && TOLERANCE <= 1 << 16, "the tolerance is 1 to 65,536 sixteenths");
+        assert!(TOLERANCE >= 1 && TOLERANCE <= 1 << 14, "the tolerance is 1 to 16,384 sixteenths");
         TOLERANCE
     };
+
+    /// Whether a range of numbers, in sixteenths of a unit, is divided within a eighth of the
+    /// tolerance in 16 bits. The quotient is off by 2^-15 for s, half of that for q, and half of
+    /// 2^-13.2 for the reciprocal: 2^-13.5, in units of twice to four times the range, 2^-11.5 of
+    /// it.
+    const fn is_quick(range: u32) -> bool {
+        range <= Self::LIMIT << 8
+    }
 }
 
-impl<const TOLERANCE: u32> Law for Adaptive<TOLERANCE> {
+/// What is found out once a triangle.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Law<V: Components> {
+    /// W of each number in the row of the first corner, and its change from row to row.
+    w: V::Each<[i32; 2]>,
+    /// In 32nds of the binary logarithm of n^2 W / qmin^3.
+    level: i32,
+    is_quick: bool,
+}
+
+impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
     #[inline(always)]
     fn is_affine<V: Components>(corners: &Corners<V>) -> bool {
         let [a, b, c] = corners.q;
@@ -104,12 +132,7 @@ impl<const TOLERANCE: u32> Law for Adaptive<TOLERANCE> {
         let spread = ((most - least) >> 15) + 1;
         let limit = 4 * u64::from(Self::LIMIT - 1) * u64::from(least >> 15);
         let limit = limit.min(u32::MAX.into()) as u32;
-        let [one, other] = &corners.differences;
-        let unit_bits = V::UNIT_BITS;
-        let each = one.as_ref().iter().zip(other.as_ref()).zip(unit_bits.as_ref());
-        for ((&d1, &d2), &unit_bits) in each {
-            let range = d1.max(d2).max(0) - d1.min(d2).min(0);
-            let sixteenths = (range as u32 >> (unit_bits - 4)) + 1;
+        for sixteenths in corners.sixteenths().as_ref() {
             if sixteenths >> 16 != 0 || sixteenths * spread > limit {
                 return false;
             }
@@ -117,59 +140,135 @@ impl<const TOLERANCE: u32> Law for Adaptive<TOLERANCE> {
         !V::READS_INVERSE_W || spread <= least >> 19
     }
 
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>, bits: u32) -> i32 {
-        let mut law = i32::MAX;
-        for (index, &unit_bits) in V::UNIT_BITS.as_ref().iter().enumerate() {
-            // W at the corners, between which it is linear, by slopes shifted up to 31 bits.
-            let [q_slope, slope] = quotient.slopes(index);
-            let magnitude = (q_slope ^ (q_slope >> 31)) | (slope ^ (slope >> 31));
-            let up = leading_zeros(magnitude as u32 | 1) - 1;
-            let (q_up, s_up) = (q_slope << up, slope << up);
-            let numerators = corners.numerators(index, bits);
-            let mut widest = 0;
-            for (&q, s) in corners.q.iter().zip(numerators) {
-                let w = mul_high(q as i32, s_up).wrapping_sub(mul_high(s, q_up));
-                widest = widest.max(w.unsigned_abs());
-            }
-            // One for each product and one for the slopes' lost digits.
-            let w = log2_above(widest + 3) + 8 * (32 - up as i32);
-            let q = log2_above(q_slope.unsigned_abs() + 1);
-            // Seven eighths of the tolerance.
-            let tolerance =
-                log2_below(Self::LIMIT) - 2 + 8 * (unit_bits as i32 - 4 - bits as i32 - 1);
-            law = law.min(16 + tolerance - w - q);
+    #[inline(always)]
+    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V> {
+        let [along, down] = quotient.q_slopes();
+        let mut magnitude = along.unsigned_abs();
+        let numerators = quotient.numerator_slopes();
+        for [along, _] in numerators.as_ref() {
+            magnitude |= along.unsigned_abs();
         }
-        law
+        // Slopes along a row, shifted up to 30 bits.
+        let up = (leading_zeros(magnitude | 1) - 1).max(1) - 1;
+        // The least digits that a unit has: errors of the other numbers count for less.
+        let mut least_bits = u32::MAX;
+        for &bits in V::UNIT_BITS.as_ref() {
+            least_bits = least_bits.min(bits);
+        }
+        let mut w = V::each([0; 2]);
+        let unit_bits = V::UNIT_BITS;
+        for ((w, [s_along, s_down]), bits) in
+            w.as_mut().iter_mut().zip(numerators.as_ref()).zip(unit_bits.as_ref())
+        {
+            // At the first corner s is 0.
+            let s_along = s_along << up;
+            let (at_corner, by_row) =
+                (mul_high(corners.q[0] as i32, s_along), mul_high(down, s_along));
+            let change = by_row.wrapping_sub(mul_high(*s_down, along << up));
+            *w = [at_corner, change].map(|w| w >> (bits - least_bits));
+        }
+        // Of the tolerance, an eighth is left for rounded steps and an eighth for divisions in 16
+        // bits: 2^-0.42. The numerators are in units of 2^(k + 1) = 2^(31 - down).
+        let tolerance = log2_below(Self::LIMIT) - 14;
+        let units = 32 * (least_bits as i32 - 4 - (31 - quotient.block.down as i32));
+        let slope = log2_above(along.unsigned_abs() + 1);
+        let level = 64 + tolerance + units - slope - 32 * (32 - up as i32);
+        let mut is_quick = true;
+        for &sixteenths in corners.sixteenths().as_ref() {
+            is_quick &= Self::is_quick(sixteenths);
+        }
+        Law { w, level, is_quick }
     }
 
     #[inline(always)]
-    fn log2_pixels<V: Components>(law: i32, [first, last]: [u32; 2]) -> u32 {
+    fn may_be_quick<V: Components>(law: &Law<V>) -> bool {
+        law.is_quick
+    }
+
+    #[inline(always)]
+    fn pixels<V: Components>(
+        law: &Law<V>,
+        division: &Division<V>,
+        rows: i32,
+        [first, last]: [u32; 2],
+    ) -> usize {
         // Rounding a step by half a digit adds up to an eighth of the tolerance at most.
         let longest = const {
             let log2 = Self::LIMIT.ilog2() as i32 + V::STEP_DIGITS as i32 - 6;
             if log2 < 0 {
-                0
-            } else if log2 > LONGEST {
+                1
+            } else if log2 > 6 {
                 LONGEST
             } else {
-                log2
+                1 << log2
             }
         };
-        let twice = law + 3 * log2_below(first.min(last));
-        (twice >> 4).max(0).min(longest) as u32
+        let mut widest = 0;
+        for &[w, change] in law.w.as_ref() {
+            // The corner lies within half a row of the anchor.
+            let here = w.wrapping_add(change.wrapping_mul(rows)).unsigned_abs();
+            widest = widest.max(here.wrapping_add(change.unsigned_abs() / 2));
+        }
+        // Products and slopes are off by 3 together, their changes by 3 a row.
+        let w = log2_above(widest.saturating_add(3 + 3 * rows.unsigned_abs()));
+        let q = log2_below(first.min(last).max(1)) - 32 * division.up as i32;
+        // In 64ths of the binary logarithm of n.
+        let level = law.level + 3 * q - w;
+        let length = LENGTHS.get((level.max(0) >> 3) as usize);
+        length.map_or(LONGEST, |&length| usize::from(length)).min(longest)
     }
 }
 
-/// The binary logarithm of a positive number in eighths, not above it: log2(1 + m) >= m.
+/// The whole part of 2^(n / 8).
+const LENGTHS: [u8; 48] = {
+    // 2^(n / 8) in Q20.
+    const EIGHTHS: [u32; 8] =
+        [1_048_576, 1_143_480, 1_246_974, 1_359_835, 1_482_910, 1_617_125, 1_763_488, 1_923_097];
+    let mut lengths = [0; 48];
+    let mut n = 0;
+    while n < 48 {
+        lengths[n] = (EIGHTHS[n % 8] << (n / 8) >> 20) as u8;
+        n += 1;
+    }
+    lengths
+};
+
+/// 32 log2(1 + n / 32), rounded down.
+const LOGARITHMS: [u8; 32] = [
+    0, 1, 2, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 25, 26,
+    27, 28, 28, 29, 30, 31,
+];
+
+/// The binary logarithm of a positive number in 32nds, not above it.
 #[inline(always)]
 const fn log2_below(value: u32) -> i32 {
     let (mantissa, zeros) = normalised(value);
-    8 * (31 - zeros as i32) + (mantissa >> 28 & 7) as i32
+    32 * (31 - zeros as i32) + LOGARITHMS[(mantissa >> 26 & 31) as usize] as i32
 }
 
-/// The same, not below it: log2(1 + m) < m + 0.0861.
+/// The same, not below it: a step of the mantissa is up to 1.43, and rounding up to 1.
 #[inline(always)]
 const fn log2_above(value: u32) -> i32 {
-    // An eighth for the digits of the mantissa that are dropped, and another for the curve.
-    log2_below(value) + 2
+    log2_below(value) + 3
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithms_are_bounds() {
+        for value in (1..1 << 20).chain((0..1 << 20).map(|n| u32::MAX - n * 4095)) {
+            let exact = 32.0 * f64::from(value).log2();
+            assert!(f64::from(log2_below(value)) <= exact, "{value}");
+            assert!(f64::from(log2_above(value)) >= exact, "{value}");
+        }
+    }
+
+    #[test]
+    fn lengths_are_powers() {
+        for (n, &length) in LENGTHS.iter().enumerate() {
+            assert_eq!(u32::from(length), (n as f64 / 8.0).exp2() as u32, "{n}");
+        }
+    }
 }

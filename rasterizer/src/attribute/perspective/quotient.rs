@@ -38,7 +38,7 @@ type Wide = Plane<u64>;
 pub struct Quotient<V: Components> {
     q: Wide,
     numerators: V::Each<Wide>,
-    block: Block<V>,
+    pub(super) block: Block<V>,
     to_first: [i32; 2],
     pitch: i32,
 }
@@ -47,25 +47,18 @@ pub struct Quotient<V: Components> {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Block<V: Components> {
     /// The numbers of the first corner.
-    base: V::Each<i32>,
+    pub(super) base: V::Each<i32>,
     /// 30 - k.
-    down: u32,
+    pub(super) down: u32,
     /// The leading zeros of the largest q.
     zeros: u32,
 }
 
 /// 1 / w and numerators at a pixel: Q32.32.
 #[derive(Clone, Copy, Debug)]
-pub struct AtPixel<V: Components> {
+pub(super) struct AtPixel<V: Components> {
     pub(super) q: u64,
     pub(super) numerators: V::Each<u64>,
-}
-
-/// Their change along a row.
-#[derive(Clone, Copy, Debug)]
-pub struct AlongRow<V: Components> {
-    pub(super) step: AtPixel<V>,
-    pub(super) block: Block<V>,
 }
 
 /// The corners of a triangle in a block's numbers.
@@ -109,6 +102,19 @@ impl<V: Components> Corners<V> {
         32 - leading_zeros(magnitudes)
     }
 
+    /// The range of each number, in sixteenths of a unit, rounded up.
+    #[inline(always)]
+    pub(super) fn sixteenths(&self) -> V::Each<u32> {
+        let mut ranges = V::UNIT_BITS;
+        let [one, other] = &self.differences;
+        for ((range, &d1), &d2) in ranges.as_mut().iter_mut().zip(one.as_ref()).zip(other.as_ref())
+        {
+            let distance = d1.max(d2).max(0) - d1.min(d2).min(0);
+            *range = (distance as u32 >> (*range - 4)) + 1;
+        }
+        ranges
+    }
+
     /// The numerators of one number at all corners.
     #[inline(always)]
     pub(super) fn numerators(&self, index: usize, bits: u32) -> [i32; 3] {
@@ -143,11 +149,32 @@ impl<V: Components> Quotient<V> {
         }
     }
 
-    /// The changes of q and of a numerator along a row, in whole units.
+    /// The changes of q along a row and down the rows, in whole units.
     #[inline(always)]
-    pub(super) fn slopes(&self, index: usize) -> [i32; 2] {
-        [self.q, self.numerators.as_ref()[index]].map(|plane| (plane.per_column >> 32) as i32)
+    pub(super) const fn q_slopes(&self) -> [i32; 2] {
+        slopes(&self.q)
     }
+
+    /// The same of the numerators.
+    #[inline(always)]
+    pub(super) fn numerator_slopes(&self) -> V::Each<[i32; 2]> {
+        let mut all = V::each([0; 2]);
+        for (to, plane) in all.as_mut().iter_mut().zip(self.numerators.as_ref()) {
+            *to = slopes(plane);
+        }
+        all
+    }
+
+    /// From the anchor's row to another.
+    #[inline(always)]
+    pub(super) const fn rows(&self, row: i32) -> i32 {
+        row.wrapping_add(self.to_first[1])
+    }
+}
+
+#[inline(always)]
+const fn slopes(plane: &Wide) -> [i32; 2] {
+    [upper(plane.per_column), upper(plane.per_row)]
 }
 
 /// The plane of a number with a sign, of magnitude below 2^31.
@@ -163,19 +190,19 @@ fn signed<S: Subpixel>(
 }
 
 impl<V: Components> Field for Quotient<V> {
-    type First = AtPixel<V>;
-    type Change = AlongRow<V>;
-
     #[inline(always)]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
         Self { to_first, pitch, ..self }
     }
+}
 
+impl<V: Components> Quotient<V> {
+    /// 1 / w and the numerators at the pixel at an address of a row.
     #[inline(always)]
-    fn at(&self, address: i32, row: i32) -> AtPixel<V> {
-        let [column, first_row] = self.to_first;
+    pub(super) fn at(&self, [address, row]: [i32; 2]) -> AtPixel<V> {
+        let [column, _] = self.to_first;
         let columns = address.wrapping_add(column).wrapping_sub(row.wrapping_mul(self.pitch));
-        let rows = row.wrapping_add(first_row);
+        let rows = self.rows(row);
         let mut numerators = V::WIDE_ZEROS;
         for (value, plane) in numerators.as_mut().iter_mut().zip(self.numerators.as_ref()) {
             *value = at(plane, columns, rows);
@@ -183,13 +210,14 @@ impl<V: Components> Field for Quotient<V> {
         AtPixel { q: at(&self.q, columns, rows), numerators }
     }
 
+    /// Their change along a row.
     #[inline(always)]
-    fn change(&self) -> AlongRow<V> {
+    pub(super) fn along_row(&self) -> AtPixel<V> {
         let mut numerators = V::WIDE_ZEROS;
         for (step, plane) in numerators.as_mut().iter_mut().zip(self.numerators.as_ref()) {
             *step = plane.per_column;
         }
-        AlongRow { step: AtPixel { q: self.q.per_column, numerators }, block: self.block }
+        AtPixel { q: self.q.per_column, numerators }
     }
 }
 

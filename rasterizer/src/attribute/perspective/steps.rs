@@ -3,13 +3,14 @@
 use core::marker::PhantomData;
 
 use super::{
-    AlongRow, AtPixel, Corrected, Correction, Pace, Quotient,
-    quotient::{Block, Corners},
+    Corrected, Correction, Pace, Quotient,
+    division::{Division, Scaled},
+    pace::Law,
+    quotient::Corners,
 };
 use crate::{
     attribute::{
-        Change, Components, Field, First, Interpolate, InverseW, Piece, QuickGradients, Step,
-        TriangleSetup,
+        Components, Field, Interpolate, InverseW, Piece, QuickGradients, Step, TriangleSetup,
     },
     numbers::{Subpixel, leading_zeros},
 };
@@ -42,31 +43,11 @@ pub enum SteppedField<V: Components> {
     /// Linear on the screen.
     Affine(V::Field, InverseW),
     /// Divided, by the law of the steps' lengths.
-    Divided(Quotient<V>, i32),
-}
-
-/// Its numbers at the first pixel of a span.
-#[derive(Clone, Copy, Debug)]
-pub enum SteppedFirst<V: Components> {
-    /// Linear on the screen.
-    Affine(First<V>),
-    /// Divided.
-    Divided(AtPixel<V>),
-}
-
-/// Their change along a row.
-#[derive(Clone, Copy, Debug)]
-pub enum SteppedChange<V: Components> {
-    /// Linear on the screen.
-    Affine(Change<V>, InverseW),
-    /// Divided, by the law of the steps' lengths.
-    Divided(AlongRow<V>, i32),
+    #[expect(private_interfaces, reason = "only its steps know it")]
+    Divided(Quotient<V>, Law<V>),
 }
 
 impl<V: Components> Field for SteppedField<V> {
-    type First = SteppedFirst<V>;
-    type Change = SteppedChange<V>;
-
     #[inline(always)]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
         match self {
@@ -74,22 +55,6 @@ impl<V: Components> Field for SteppedField<V> {
                 Self::Affine(field.over_addresses(to_first, pitch), inverse_w)
             }
             Self::Divided(field, law) => Self::Divided(field.over_addresses(to_first, pitch), law),
-        }
-    }
-
-    #[inline(always)]
-    fn at(&self, address: i32, row: i32) -> SteppedFirst<V> {
-        match self {
-            Self::Affine(field, _) => SteppedFirst::Affine(field.at(address, row)),
-            Self::Divided(field, _) => SteppedFirst::Divided(field.at(address, row)),
-        }
-    }
-
-    #[inline(always)]
-    fn change(&self) -> SteppedChange<V> {
-        match self {
-            Self::Affine(field, inverse_w) => SteppedChange::Affine(field.change(), *inverse_w),
-            Self::Divided(field, law) => SteppedChange::Divided(field.change(), *law),
         }
     }
 }
@@ -114,38 +79,60 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         }
         let bits = corners.bits();
         let quotient = Quotient::new(setup, quick, &corners, bits);
-        let law = P::of(&corners, &quotient, bits);
+        let law = P::of(&corners, &quotient);
         SteppedField::Divided(quotient, law)
     }
 
     #[inline(always)]
+    fn whole(
+        field: &SteppedField<V>,
+        at: [i32; 2],
+        pixels: usize,
+    ) -> Option<Piece<SteppedWalk<V>>> {
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                Some(SteppedWalk::affine(V::whole(field, at, pixels)?, *inverse_w))
+            }
+            SteppedField::Divided(..) => None,
+        }
+    }
+
+    #[inline(always)]
     fn walk(
-        first: SteppedFirst<V>,
-        change: SteppedChange<V>,
+        field: &SteppedField<V>,
+        at: [i32; 2],
         pixels: usize,
     ) -> (Piece<SteppedWalk<V>>, Rest<V>) {
-        match (first, change) {
-            (SteppedFirst::Divided(at), SteppedChange::Divided(change, law)) => {
-                let last = at.plus(&change.step.times(pixels as i32 - 1));
-                let log2_pixels = P::log2_pixels::<V>(law, [at.q(), last.q()]);
-                let mut pieces = Pieces {
-                    value: at.divided(&change.block),
-                    at,
-                    step: change.step,
-                    block: change.block,
-                    log2_pixels,
-                    pixels,
-                };
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                let (piece, rest) = V::walk(field, at, pixels);
+                (SteppedWalk::affine(piece, *inverse_w), Rest::Affine(rest, *inverse_w))
+            }
+            SteppedField::Divided(field, law) => {
+                let mut pieces = Pieces::new::<P>(field, law, at, pixels);
                 (pieces.piece(), Rest::Divided(pieces))
             }
-            (SteppedFirst::Affine(first), SteppedChange::Affine(change, inverse_w)) => {
-                let (piece, rest) = V::walk(first, change, pixels);
-                (SteppedWalk::affine(piece, inverse_w), Rest::Affine(rest, inverse_w))
+        }
+    }
+
+    #[inline(always)]
+    fn for_each_piece(
+        field: &SteppedField<V>,
+        at: [i32; 2],
+        pixels: usize,
+        mut visit: impl FnMut(Piece<SteppedWalk<V>>),
+    ) {
+        match field {
+            SteppedField::Affine(field, inverse_w) => {
+                V::for_each_piece(field, at, pixels, |piece| {
+                    visit(SteppedWalk::affine(piece, *inverse_w));
+                });
             }
-            // Both are of one field.
-            _ => {
-                let piece = Piece { first: SteppedWalk::ZERO, step: SteppedWalk::ZERO, pixels };
-                (piece, Rest::Divided(Pieces::NONE))
+            SteppedField::Divided(field, law) => {
+                let mut pieces = Pieces::new::<P>(field, law, at, pixels);
+                while pieces.pixels != 0 {
+                    visit(pieces.piece());
+                }
             }
         }
     }
@@ -233,71 +220,85 @@ impl<V: Components> Iterator for Rest<V> {
 pub struct Pieces<V: Components> {
     /// The numbers at the next pixel.
     value: V::Each<i32>,
-    at: AtPixel<V>,
-    step: AtPixel<V>,
-    block: Block<V>,
-    log2_pixels: u32,
+    at: Scaled<V>,
+    /// From a pixel to the next, and along a whole step.
+    step: Scaled<V>,
+    stride: Scaled<V>,
+    division: Division<V>,
+    /// The pixels of a step.
+    length: usize,
     /// From the next pixel to the end of the span.
     pixels: usize,
 }
 
 impl<V: Components> Pieces<V> {
-    const NONE: Self = Self {
-        value: V::ZEROS,
-        at: AtPixel::ZERO,
-        step: AtPixel::ZERO,
-        block: Block::ZERO,
-        log2_pixels: 0,
-        pixels: 0,
-    };
+    /// From the first pixel of a span.
+    #[inline(always)]
+    fn new<P: Pace>(field: &Quotient<V>, law: &Law<V>, at: [i32; 2], pixels: usize) -> Self {
+        let rows = field.rows(at[1]);
+        let (at, step, division) = field.along_span(at, pixels);
+        let last = at.q.wrapping_add(step.q.wrapping_mul(pixels as u32 - 1));
+        let division = division.quick_if(P::may_be_quick(law), [at.q, last]);
+        let length = P::pixels(law, &division, rows, [at.q, last]);
+        Self {
+            value: division.numbers(&at),
+            at,
+            step,
+            stride: step.times(length),
+            division,
+            length,
+            pixels,
+        }
+    }
 
-    /// The next step, of which there is one: to a division after 2^`log2_pixels` pixels or at the
-    /// span's last pixel, where the triangle has a value.
+    /// The next step, of which there is one: to a division after `length` pixels or at the span's
+    /// last pixel, where the triangle has a value.
     #[inline(always)]
     fn piece(&mut self) -> Piece<SteppedWalk<V>> {
-        let length = 1 << self.log2_pixels;
-        let is_last = self.pixels <= length;
-        let (pixels, way) = if is_last { (self.pixels, self.pixels - 1) } else { (length, length) };
-        let (from, q) = (self.value, self.at.q());
+        let (from, q) = (self.value, self.at.q);
+        let (mut pixels, mut way, mut stride) = (self.length, self.length, self.stride);
+        if self.pixels <= pixels {
+            (pixels, way) = (self.pixels, self.pixels - 1);
+            stride = self.step.times(way);
+        }
         let mut step = V::ZEROS;
         if way != 0 {
-            self.at = self.at.plus(&self.step.times(way as i32));
-            self.value = self.at.divided(&self.block);
+            self.at = self.at.plus(&stride);
+            self.value = self.division.numbers(&self.at);
             for ((step, to), from) in
                 step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
             {
-                let change = to.wrapping_sub(*from);
-                *step = if is_last { part(change, way) } else { change >> self.log2_pixels };
+                *step = part(to.wrapping_sub(*from), way);
             }
         }
         self.pixels -= pixels;
         let walk = |numbers, q| SteppedWalk {
             numbers,
-            inverse_w: if V::READS_INVERSE_W { self.block.inverse_w(q) } else { 0 },
+            inverse_w: if V::READS_INVERSE_W { self.division.inverse_w(q) } else { 0 },
         };
         Piece {
             first: walk(V::walk_from(from), q),
-            step: walk(V::step_from(step), (self.step.q >> 32) as u32),
+            step: walk(V::step_from(step), self.step.q),
             pixels,
         }
     }
 }
 
 /// 2^(15 + log2 n) / n, rounded: from 2^14 to 2^15.
-const PARTS: [u16; 64] = {
-    let mut parts = [0; 64];
+const PARTS: [u16; 65] = {
+    let mut parts = [0; 65];
     let mut n = 1;
-    while n < 64 {
+    while n <= 64 {
         parts[n] = (((1 << (15 + n.ilog2())) + n / 2) / n) as u16;
         n += 1;
     }
     parts
 };
 
-/// A change over `pixels` pixels, 1 to 63, as that from each to the next: within 2^-15 of it.
+/// A change over `pixels` pixels, 1 to 64, as that from each to the next: within 2^-15 of it.
 #[inline(always)]
 const fn part(change: i32, pixels: usize) -> i32 {
-    let part = PARTS[pixels & 63] as i32;
+    let part = if pixels < PARTS.len() { PARTS[pixels] as i32 } else { 0 };
     let log2 = 31 - leading_zeros(pixels as u32);
     let (upper, lower) = (change >> 16, change & 0xFFFF);
     (2 * upper * part + ((lower * part) >> 15)) >> log2

@@ -1,4 +1,4 @@
-//! The result of shading a fragment.
+//! A colour, or none: of a texel, and of a pixel.
 
 /// A colour, or an `Option` of one: `None` discards the pixel, which keeps its colour and its
 /// depth.

@@ -1,0 +1,195 @@
+//! A texture, lit at the vertices.
+
+use core::marker::PhantomData;
+
+use embedded_graphics_core::pixelcolor::Rgb888;
+
+use super::{
+    Face, Light, OnScreen, Sample, Shader,
+    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates},
+};
+use crate::{
+    attribute::{Adaptive, Affine, Correction, PerspectiveCorrect},
+    geometry::Pose,
+    mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
+    raster::{Fragment, Gradients},
+    texture::{Filter, LitTexels, Nearest, Texel as _, TexelMap},
+};
+
+/// The material's texture, lit at the vertices: each channel of a texel times the interpolated
+/// level of light, rounded to the nearest, in the levels of
+/// [`Mix::lit`](crate::texture::Mix::lit) or the rows of [`Shaded`](crate::texture::Shaded).
+///
+/// The first types are those of [`Textured`](super::Textured); `L` is how the level of light is
+/// corrected. Needs [`texture_coordinates`](crate::mesh::Tables::texture_coordinates) and
+/// [`vertex_normals`](crate::mesh::Tables::vertex_normals). A material without a texture has its
+/// colour in this light.
+#[derive(Debug)]
+pub struct TexturedGouraud<'a, S, F = Nearest, M = Adaptive, C = i16, L = Affine> {
+    skin: Skin<'a, S, F, M, C>,
+    light: Light,
+    level: PhantomData<L>,
+}
+
+impl<'a, S> TexturedGouraud<'a, S> {
+    /// With the textures of a mesh by its materials, lit by `light`: nearest texels, corrected
+    /// within half a texel, coordinates of 16 bits.
+    #[must_use]
+    pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
+        Self { skin: Skin::new(textures), light, level: PhantomData }
+    }
+}
+
+impl<'a, S, F, M, C, L> TexturedGouraud<'a, S, F, M, C, L> {
+    /// Filtered in another way, such as [`Bilinear`](crate::texture::Bilinear).
+    #[must_use]
+    pub const fn filtered<G: Copy>(self, _: G) -> TexturedGouraud<'a, S, G, M, C, L> {
+        self.chosen()
+    }
+
+    /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
+    #[must_use]
+    pub const fn corrected<N: Correction>(self, _: N) -> TexturedGouraud<'a, S, F, N, C, L> {
+        self.chosen()
+    }
+
+    /// For meshes whose texture coordinates have any format, with 32 bits a vertex each.
+    #[must_use]
+    pub const fn with_wide_coordinates(self) -> TexturedGouraud<'a, S, F, M, i32, L> {
+        self.chosen()
+    }
+
+    /// With the level of light corrected in another way than by straight lines on the screen.
+    #[must_use]
+    pub const fn with_level<K: Correction>(self, _: K) -> TexturedGouraud<'a, S, F, M, C, K> {
+        self.chosen()
+    }
+
+    const fn chosen<G, N, D, K>(self) -> TexturedGouraud<'a, S, G, N, D, K> {
+        TexturedGouraud { skin: self.skin.chosen(), light: self.light, level: PhantomData }
+    }
+}
+
+impl<S, F, M, C, L> Clone for TexturedGouraud<'_, S, F, M, C, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<S, F, M, C, L> Copy for TexturedGouraud<'_, S, F, M, C, L> {}
+
+impl<S, F, M, C, L> Shader for TexturedGouraud<'_, S, F, M, C, L>
+where
+    S: Slot<Texture: TexelMap<Texels: LitTexels>>,
+    ColorOf<S>: From<Rgb888>,
+    F: Filter<S::Texture>,
+    M: Correction,
+    C: VertexCoordinates,
+    L: Correction,
+{
+    type Color = ColorOf<S>;
+    /// The coordinates, and the level of light.
+    type Varyings = (Varying<S, F, M, C>, PerspectiveCorrect<u16, L>);
+    type Surface = Covered<S, ColorOf<S>>;
+    type Face = FaceOf<S, F>;
+    type Outcome = TexelOf<S>;
+
+    const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..C::TABLES };
+
+    fn for_object(&self, pose: &Pose) -> Self {
+        Self { light: self.light.for_object(pose), ..*self }
+    }
+
+    fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {
+        self.skin.surface(material, material.rgb().into())
+    }
+
+    #[inline(always)]
+    fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings {
+        let level = self.light.level(vertex.normal());
+        let level = PerspectiveCorrect::new(TexelsOf::<S>::varying(level));
+        (Skin::<S, F, M, C>::vertex(vertex), level)
+    }
+
+    #[inline(always)]
+    fn face(
+        &self,
+        surface: &Self::Surface,
+        _: &MeshFace<'_>,
+        gradients: &Gradients<'_, OnScreen<Self>>,
+    ) -> Face<ColorOf<S>, FaceOf<S, F>> {
+        Face::Shaded(surface.slot.texture_or(
+            |texture| Skin::<S, F, M, C>::face(texture, gradients, |(coordinates, _)| coordinates),
+            FaceOf::<S, F>::default,
+        ))
+    }
+
+    #[inline(always)]
+    fn pixel(
+        &self,
+        surface: &Self::Surface,
+        face: &FaceOf<S, F>,
+        fragment: Fragment<Sample<Self>>,
+    ) -> TexelOf<S> {
+        let (place, level) = fragment.varyings;
+        let light = TexelsOf::<S>::light(level.value.to_bits());
+        surface.slot.texture_or(
+            |texture| {
+                Skin::<S, F, M, C>::texel(texture, face, place, |texels, index| {
+                    texels.before_light(index, light)
+                })
+                .recolored(|color| TexelsOf::<S>::after_light(color, light))
+            },
+            || TexelOf::<S>::opaque(TexelsOf::<S>::plain(surface.color, light)),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::pixelcolor::Gray8;
+
+    use super::{
+        super::{
+            Level,
+            skin::square::{GRAY, drawn},
+        },
+        *,
+    };
+    use crate::{
+        attribute::EveryPixel,
+        numbers::Vec3,
+        texture::{Bilinear, Colors, Texture},
+    };
+
+    const HALF: Light = Light::new(Vec3::Z, Level::lit("0.25"), Level::lit("0.25"));
+
+    const TEXELS: [Gray8; 4] = [Gray8::new(0), Gray8::new(100), Gray8::new(201), Gray8::new(255)];
+
+    #[test]
+    fn channels_are_multiplied_by_the_level() {
+        let map: Texture<Colors<'_, Gray8, 4>, 2, 2> = Texture::new(Colors::new(&TEXELS));
+        let textures = [Some(map)];
+        let shader = TexturedGouraud::new(&textures, HALF);
+        for rows in [
+            drawn(&shader, false),
+            drawn(&shader.corrected(EveryPixel).with_level(EveryPixel), false),
+            drawn(&shader.with_wide_coordinates(), true),
+        ] {
+            let rows = rows.unwrap();
+            let quarters = [rows[1][1], rows[1][6], rows[6][1], rows[6][6]];
+            assert_eq!(quarters, [0, 50, 101, 128]);
+        }
+        let full = Light::new(Vec3::Z, Level::ONE, Level::ZERO);
+        let rows = drawn(&TexturedGouraud::new(&textures, full), false).unwrap();
+        assert_eq!([rows[0][0], rows[0][7], rows[7][0], rows[7][7]], [0, 100, 201, 255]);
+    }
+
+    #[test]
+    fn bare_materials_are_lit() {
+        let bare: [Option<Texture<Colors<'_, Gray8, 4>, 2, 2>>; 1] = [None];
+        let shader = TexturedGouraud::new(&bare, HALF).filtered(Bilinear);
+        let rows = drawn(&shader, false).unwrap();
+        assert!(rows.iter().flatten().all(|&pixel| pixel == GRAY / 2), "{rows:?}");
+    }
+}

@@ -1,0 +1,102 @@
+//! Texels that are colours.
+
+use super::{
+    Counts, LitTexels, Mix, StoredTexels, Table, Texels,
+    texels::{level_of_varying, varying_of_level},
+};
+
+/// `N` texels in the target's own colour type, such as `Rgb565` or, in the byte order of a bus,
+/// [`Rgb565Be`](crate::output::Rgb565Be).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Colors<'a, C, const N: usize>(&'a [C; N]);
+
+impl<'a, C, const N: usize> Colors<'a, C, N> {
+    /// These texels. None do not compile.
+    #[must_use]
+    pub const fn new(texels: &'a [C; N]) -> Self {
+        const { assert!(N > 0, "a texture has texels") };
+        Self(texels)
+    }
+}
+
+impl<C: Copy, const N: usize> Texels for Colors<'_, C, N> {
+    type Color = C;
+    type Texel = C;
+
+    fn counts(&self) -> Counts {
+        Self::COUNTS
+    }
+
+    #[inline(always)]
+    fn texel(&self, index: usize) -> C {
+        *at(self.0, index)
+    }
+}
+
+impl<C: Copy, const N: usize> Table for Colors<'_, C, N> {
+    const COUNTS: Counts = Counts::exactly(N);
+}
+
+impl<C: Copy + PartialEq, const N: usize> StoredTexels for Colors<'_, C, N> {
+    type Stored = C;
+
+    #[inline(always)]
+    fn stored(&self, index: usize) -> C {
+        self.texel(index)
+    }
+}
+
+impl<C: Mix, const N: usize> LitTexels for Colors<'_, C, N> {
+    type Light = u32;
+
+    #[inline(always)]
+    fn varying(level: u32) -> u16 {
+        varying_of_level::<C>(level)
+    }
+
+    #[inline(always)]
+    fn light(varying: u32) -> u32 {
+        level_of_varying::<C>(varying)
+    }
+
+    #[inline(always)]
+    fn before_light(&self, index: usize, _: u32) -> C {
+        self.texel(index)
+    }
+
+    #[inline(always)]
+    fn after_light(color: C, light: u32) -> C {
+        color.lit(light)
+    }
+
+    #[inline(always)]
+    fn plain(color: C, light: u32) -> C {
+        color.lit(light)
+    }
+}
+
+/// An element of a table that is not empty. Indices past the end are wrapped or clamped, so that
+/// none can panic; for a power of two that is a mask, which compilers leave out where they know
+/// that the index is below it.
+#[inline(always)]
+pub(super) const fn at<T, const N: usize>(table: &[T; N], index: usize) -> &T {
+    if N.is_power_of_two() {
+        &table[index & (N - 1)]
+    } else {
+        &table[if index < N { index } else { N - 1 }]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_index_finds_a_texel() {
+        let four = Colors::new(&[1, 2, 3, 4]);
+        assert_eq!([0, 3, 4, 7].map(|index| four.texel(index)), [1, 4, 1, 4]);
+        let three = Colors::new(&[1, 2, 3]);
+        assert_eq!([0, 2, 3, usize::MAX].map(|index| three.texel(index)), [1, 3, 3, 3]);
+        assert_eq!(Colors::new(&[9]).texel(5), 9);
+    }
+}

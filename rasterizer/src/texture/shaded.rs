@@ -1,0 +1,161 @@
+//! Texels with a table of their colours in each light.
+
+use super::{Counts, LitTexels, Mix, StoredTexels, Table, Texels, colors::at, indexed::Packing};
+
+/// The rows of a table of lit palettes.
+pub const SHADES: usize = 32;
+
+/// Texels like [`Indexed`](super::Indexed), lit by a table: [`SHADES`] palettes from dark to
+/// bright, row r for the brightness r / 31.
+///
+/// It is the least work a pixel for lit texels (15 KB of flash more with 256 colours), the colours
+/// are as exact as the table, and can follow any course: coloured light, fog, a cartoon's steps.
+/// Unlit texels have the colours of the last row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shaded<'a, C, const BITS: usize, const BYTES: usize, const COLORS: usize> {
+    bytes: &'a [u8; BYTES],
+    palettes: &'a [[C; COLORS]; SHADES],
+}
+
+impl<'a, C, const BITS: usize, const BYTES: usize, const COLORS: usize>
+    Shaded<'a, C, BITS, BYTES, COLORS>
+{
+    /// These places in these palettes, from dark to bright.
+    #[must_use]
+    pub const fn new(bytes: &'a [u8; BYTES], palettes: &'a [[C; COLORS]; SHADES]) -> Self {
+        const {
+            assert!(Packing::<BITS>::PART_BITS <= 3);
+            assert!(COLORS == 1 << BITS, "the palette has as many colours as its places have");
+            assert!(BYTES > 0, "a texture has texels");
+        }
+        Self { bytes, palettes }
+    }
+}
+
+impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Texels
+    for Shaded<'_, C, BITS, BYTES, COLORS>
+{
+    type Color = C;
+    type Texel = C;
+
+    fn counts(&self) -> Counts {
+        Self::COUNTS
+    }
+
+    #[inline(always)]
+    fn texel(&self, index: usize) -> C {
+        *at(&self.palettes[SHADES - 1], self.stored(index).into())
+    }
+}
+
+impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Table
+    for Shaded<'_, C, BITS, BYTES, COLORS>
+{
+    const COUNTS: Counts = Counts::in_bytes(BYTES, BITS);
+}
+
+impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> StoredTexels
+    for Shaded<'_, C, BITS, BYTES, COLORS>
+{
+    type Stored = u8;
+
+    #[inline(always)]
+    fn stored(&self, index: usize) -> u8 {
+        let byte = *at(self.bytes, index >> Packing::<BITS>::PART_BITS);
+        Packing::<BITS>::unpack(byte, index)
+    }
+}
+
+impl<C: Mix, const BITS: usize, const BYTES: usize, const COLORS: usize> LitTexels
+    for Shaded<'_, C, BITS, BYTES, COLORS>
+{
+    /// A row of the table.
+    type Light = usize;
+
+    #[inline(always)]
+    fn varying(level: u32) -> u16 {
+        varying_of_shade(level)
+    }
+
+    #[inline(always)]
+    fn light(varying: u32) -> usize {
+        shade_of_varying(varying)
+    }
+
+    #[inline(always)]
+    fn before_light(&self, index: usize, shade: usize) -> C {
+        *at(at(self.palettes, shade), self.stored(index).into())
+    }
+
+    #[inline(always)]
+    fn after_light(color: C, _: usize) -> C {
+        color
+    }
+
+    #[inline(always)]
+    fn plain(color: C, shade: usize) -> C {
+        color.lit(level_of_shade(shade, C::LIGHT_BITS))
+    }
+}
+
+/// 0 and 65,536 lie in the middle of the first and the last row: the row is the upper bits.
+#[inline(always)]
+pub(super) const fn varying_of_shade(level: u32) -> u16 {
+    (level - level / SHADES as u32 + 65_536 / (2 * SHADES as u32)) as u16
+}
+
+/// The upper bits of an interpolated varying in Q16.16.
+#[inline(always)]
+pub(super) const fn shade_of_varying(varying: u32) -> usize {
+    (varying >> (32 - SHADES.trailing_zeros())) as usize
+}
+
+/// The level of [`Mix::lit`] that a row stands for, r / 31 in units of 2^-bits, rounded: 1 / 31 is
+/// 1057 / 2^15 within 2^-15 of itself.
+#[inline(always)]
+const fn level_of_shade(shade: usize, bits: u32) -> u32 {
+    (((shade as u32) << bits) * 1057 + (1 << 14)) >> 15
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::pixelcolor::{Gray8, GrayColor as _};
+
+    use super::*;
+
+    #[test]
+    fn rows_stand_for_levels() {
+        for shade in 0..SHADES {
+            for bits in 1..=8 {
+                let exact = shade as f64 / 31.0 * f64::from(1 << bits);
+                let level = level_of_shade(shade, bits);
+                assert_eq!(f64::from(level), exact.round(), "{shade} of {bits} bits");
+            }
+        }
+    }
+
+    #[test]
+    fn the_nearest_row_lights() {
+        for level in 0..=65_536u32 {
+            let varying = (u32::from(varying_of_shade(level)) << 16) + (1 << 15);
+            let row = shade_of_varying(varying) as f64;
+            let exact = f64::from(level) * 31.0 / 65_536.0;
+            assert!((row - exact).abs() <= 0.502, "{level}: {row}");
+        }
+    }
+
+    #[test]
+    fn places_are_looked_up_in_the_lights_row() {
+        let mut palettes = [[Gray8::new(0); 4]; SHADES];
+        for (row, palette) in palettes.iter_mut().enumerate() {
+            *palette = [0, 1, 2, 3].map(|place| Gray8::new(4 * row as u8 + place));
+        }
+        type Two<'a> = Shaded<'a, Gray8, 2, 1, 4>;
+        let texels: Two<'_> = Shaded::new(&[0b00_01_10_11], &palettes);
+        let lit = [0, 1, 2, 3].map(|index| texels.before_light(index, 7).luma());
+        assert_eq!(lit, [31, 30, 29, 28]);
+        assert_eq!(texels.texel(0).luma(), 4 * 31 + 3);
+        assert_eq!(Two::after_light(Gray8::new(5), 0).luma(), 5);
+        assert_eq!(Two::plain(Gray8::new(62), 15).luma(), 30);
+    }
+}

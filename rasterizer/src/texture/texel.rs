@@ -1,0 +1,88 @@
+//! One texel as a shader gets it.
+
+use super::Outcome;
+
+/// A colour, or an `Option` of one: `None` is transparent.
+pub trait Texel<C>: Outcome<C> + Copy {
+    /// Returns a texel of this colour.
+    fn opaque(color: C) -> Self;
+
+    /// Returns the texel with its colour changed by `change`, which is not called for a transparent
+    /// one.
+    #[must_use]
+    fn recolored(self, change: impl FnOnce(C) -> C) -> Self;
+
+    /// Mixes texels by a function of their colours. The texel with the number `nearest`, below `N`,
+    /// decides whether the result is transparent, and gives its colour to those that are.
+    fn combined<const N: usize>(
+        texels: [Self; N],
+        nearest: usize,
+        mix: impl FnOnce([C; N]) -> C,
+    ) -> Self;
+}
+
+impl<C: Copy> Texel<C> for C {
+    #[inline(always)]
+    fn opaque(color: C) -> Self {
+        color
+    }
+
+    #[inline(always)]
+    fn recolored(self, change: impl FnOnce(C) -> C) -> Self {
+        change(self)
+    }
+
+    #[inline(always)]
+    fn combined<const N: usize>(
+        texels: [Self; N],
+        _: usize,
+        mix: impl FnOnce([C; N]) -> C,
+    ) -> Self {
+        mix(texels)
+    }
+}
+
+impl<C: Copy> Texel<C> for Option<C> {
+    #[inline(always)]
+    fn opaque(color: C) -> Self {
+        Some(color)
+    }
+
+    #[inline(always)]
+    fn recolored(self, change: impl FnOnce(C) -> C) -> Self {
+        self.map(change)
+    }
+
+    #[inline(always)]
+    fn combined<const N: usize>(
+        texels: [Self; N],
+        nearest: usize,
+        mix: impl FnOnce([C; N]) -> C,
+    ) -> Self {
+        let nearest = texels.get(nearest).copied().flatten()?;
+        Some(mix(texels.map(|texel| texel.unwrap_or(nearest))))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_texel_decides_on_transparency() {
+        let sum = |colors: [u32; 4]| colors.iter().sum();
+        let texels = [Some(1), None, Some(100), None];
+        assert_eq!(Texel::combined(texels, 0, sum), Some(1 + 1 + 100 + 1));
+        assert_eq!(Texel::combined(texels, 1, sum), None);
+        assert_eq!(Texel::combined(texels, 2, sum), Some(1 + 100 + 100 + 100));
+        assert_eq!(Texel::combined([1, 2, 3, 4], 1, sum), 10);
+    }
+
+    #[test]
+    fn only_opaque_texels_are_recolored() {
+        assert_eq!(Texel::<u8>::recolored(Some(3u8), |c| c + 1), Some(4));
+        assert_eq!(Texel::<u8>::recolored(None, |_: u8| unreachable!()), None);
+        assert_eq!(Texel::<u8>::recolored(3u8, |c| c + 1), 4);
+        assert_eq!(<Option<u8> as Texel<u8>>::opaque(3), Some(3));
+    }
+}

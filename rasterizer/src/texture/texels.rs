@@ -1,0 +1,156 @@
+//! How texels are stored.
+
+use super::{Mix, Texel};
+
+/// The texels of a texture, numbered along its rows from the top left.
+///
+/// [`Colors`](super::Colors), [`Indexed`](super::Indexed), [`Keyed`](super::Keyed),
+/// [`Masked`](super::Masked) and [`Shaded`](super::Shaded) are such.
+pub trait Texels: Copy {
+    /// The colour type of the target.
+    type Color: Copy;
+    /// A colour, or an `Option` of one.
+    type Texel: Texel<Self::Color>;
+
+    /// Returns how many texels it can stand for.
+    fn counts(&self) -> Counts;
+
+    /// Returns a texel. Any index gives one; only those below the count are the texture's.
+    fn texel(&self, index: usize) -> Self::Texel;
+}
+
+/// Texels whose number is known at compile time.
+pub trait Table: Texels {
+    /// How many texels it can stand for.
+    const COUNTS: Counts;
+}
+
+/// Texels of which each has a value that is stored: a colour, or a place in a palette.
+pub trait StoredTexels: Texels<Texel = <Self as Texels>::Color> {
+    /// The type of the value.
+    type Stored: Copy + PartialEq;
+
+    /// Returns the value of a texel.
+    fn stored(&self, index: usize) -> Self::Stored;
+}
+
+/// Texels that can be lit.
+///
+/// Light acts where it costs the least: on the colour after filtering, or on the way from the
+/// table, with [`Shaded`](super::Shaded).
+pub trait LitTexels: Texels {
+    /// A brightness, in the units that the texels need.
+    type Light: Copy + Default;
+
+    /// Returns a brightness in Q16, 0 to 65,536, as the varying that [`light`](Self::light) takes.
+    fn varying(level: u32) -> u16;
+
+    /// Returns the brightness of an interpolated varying in Q16.16.
+    fn light(varying: u32) -> Self::Light;
+
+    /// Returns a texel as it is filtered.
+    fn before_light(&self, index: usize, light: Self::Light) -> Self::Texel;
+
+    /// Returns the lit colour of what is filtered.
+    fn after_light(color: Self::Color, light: Self::Light) -> Self::Color;
+
+    /// Returns a colour that comes from no texture in this light.
+    fn plain(color: Self::Color, light: Self::Light) -> Self::Color;
+}
+
+/// The numbers of texels that a table can stand for: a range, because the last byte may have room
+/// for more of them than a texture has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Counts {
+    least: usize,
+    most: usize,
+}
+
+impl Counts {
+    /// Exactly this many.
+    #[must_use]
+    pub const fn exactly(count: usize) -> Self {
+        Self { least: count, most: count }
+    }
+
+    /// Texels of 1, 2, 4 or 8 bits in this many bytes.
+    #[must_use]
+    pub const fn in_bytes(bytes: usize, bits: usize) -> Self {
+        let per_byte = 8 / bits;
+        let most = bytes * per_byte;
+        Self { least: (most + 1).saturating_sub(per_byte), most }
+    }
+
+    /// Those that both can stand for.
+    #[must_use]
+    pub const fn and(self, other: Self) -> Self {
+        Self {
+            least: if self.least > other.least { self.least } else { other.least },
+            most: if self.most < other.most { self.most } else { other.most },
+        }
+    }
+
+    /// Whether it can stand for no number of texels.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.least > self.most
+    }
+
+    /// Whether it can stand for this many.
+    #[must_use]
+    pub const fn contain(self, count: usize) -> bool {
+        self.least <= count && count <= self.most
+    }
+}
+
+/// [`LitTexels::varying`] for texels that are lit by the levels of [`Mix`]: 0 and 65,536 lie in the
+/// middle of the first and the last level, and a level is the varying's upper bits.
+#[inline(always)]
+pub(super) const fn varying_of_level<C: Mix>(level: u32) -> u16 {
+    // At most 2^15 + 2^13.
+    ((level >> 1) + (1 << (14 - C::LIGHT_BITS))) as u16
+}
+
+/// [`LitTexels::light`] for texels that are lit by the levels of [`Mix`].
+#[inline(always)]
+pub(super) const fn level_of_varying<C: Mix>(varying: u32) -> u32 {
+    varying >> (31 - C::LIGHT_BITS)
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics_core::pixelcolor::{Gray8, Rgb565};
+
+    use super::*;
+
+    #[test]
+    fn the_last_byte_may_have_room_for_more() {
+        assert!(Counts::in_bytes(5, 4).contain(9));
+        assert!(Counts::in_bytes(5, 4).contain(10));
+        assert!(!Counts::in_bytes(5, 4).contain(8));
+        assert!(!Counts::in_bytes(5, 4).contain(11));
+        assert!(Counts::in_bytes(2, 1).contain(9));
+        assert!(!Counts::in_bytes(2, 1).contain(8));
+        assert_eq!(Counts::in_bytes(7, 8), Counts::exactly(7));
+        let both = Counts::in_bytes(5, 4).and(Counts::in_bytes(2, 1));
+        assert!(both.contain(9) && both.contain(10) && !both.contain(11));
+    }
+
+    #[test]
+    fn levels_are_met_in_their_middle() {
+        fn check<C: Mix>() {
+            let levels = 1 << C::LIGHT_BITS;
+            for brightness in 0..=65_536u32 {
+                let varying = varying_of_level::<C>(brightness);
+                // Half a unit above, as an interpolated varying is.
+                let level = level_of_varying::<C>((u32::from(varying) << 16) + (1 << 15));
+                let exact = f64::from(brightness) * f64::from(levels) / 65_536.0;
+                // The varying has one digit less than the brightness.
+                let bound = 0.5 + f64::from(levels) / 65_536.0;
+                assert!((f64::from(level) - exact).abs() <= bound, "{brightness}: {level}");
+            }
+        }
+        check::<Rgb565>();
+        check::<Gray8>();
+    }
+}
