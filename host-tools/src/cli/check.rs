@@ -32,7 +32,10 @@ Examples:
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
-                against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic.
+                against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic. Of a texture,
+                each coordinate against the exact one, in texels: within 1/16 texel or 1/256 pixel,
+                and what the steps of --perspective add. Close to the border of a texel, either
+                texel is right; elsewhere one is.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be

@@ -5,7 +5,7 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use host_tools::{
-    check::{DepthFormat, Projection, Shading, Subpixel, View},
+    check::{Correction, DepthFormat, Filter, Projection, Shading, Subpixel, View},
     model::{Model, Options},
 };
 use serde::Serialize;
@@ -47,6 +47,22 @@ pub(super) struct ViewOptions {
         value_parser = choice(&Shading::NAMES)
     )]
     shading: Shading,
+    /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often as
+    /// half a texel needs it
+    #[arg(
+        long,
+        value_name = "MODE",
+        default_value = name(&Correction::NAMES, View::default().perspective),
+        value_parser = choice(&Correction::NAMES)
+    )]
+    perspective: Correction,
+    /// How a colour is taken from a texture
+    #[arg(
+        long,
+        default_value = name(&Filter::NAMES, View::default().filter),
+        value_parser = choice(&Filter::NAMES)
+    )]
+    filter: Filter,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -153,6 +169,8 @@ impl ViewOptions {
             subpixel: self.subpixel,
             depth: self.depth,
             shading: self.shading,
+            perspective: self.perspective,
+            filter: self.filter,
         }
     }
 
@@ -169,6 +187,8 @@ pub(super) struct Settings {
     subpixel: u32,
     depth: &'static str,
     shading: &'static str,
+    perspective: &'static str,
+    filter: &'static str,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -195,6 +215,8 @@ impl Settings {
             subpixel: view.subpixel.bits(),
             depth: name(&DepthFormat::NAMES, view.depth),
             shading: name(&Shading::NAMES, view.shading),
+            perspective: name(&Correction::NAMES, view.perspective),
+            filter: name(&Filter::NAMES, view.filter),
             distance: view.distance,
             fov,
             height,
@@ -278,8 +300,8 @@ mod tests {
 
     #[test]
     fn every_option_arrives() {
-        let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --distance 4 \
-                    --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+        let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
+                    every-16 --filter trilinear --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
                     --crease 10 --frames 5";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
@@ -294,6 +316,8 @@ mod tests {
             subpixel: Subpixel::S4,
             depth: DepthFormat::U32,
             shading: Shading::Flat,
+            perspective: Correction::Every16,
+            filter: Filter::Trilinear,
         };
         assert_eq!(options.view(), expected);
         let conversion = options.conversion();
@@ -316,6 +340,8 @@ mod tests {
             ("--depth", &["u8", "", "U16"]),
             ("--subpixel", &["5", ""]),
             ("--shading", &["phong"]),
+            ("--perspective", &["every-5", "every", ""]),
+            ("--filter", &["linear", "Nearest"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();

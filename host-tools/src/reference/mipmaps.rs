@@ -3,12 +3,13 @@
 //! Williams, "Pyramidal parametrics", SIGGRAPH 1983: level n is the picture at a 2^n-th of its
 //! width and height, and linear choice of level blends two of them.
 
-use super::texture::{Texel, Texture, blend};
+use super::texture::{Texel, Texture, blend, is_opaque};
 
 /// A texture and its mip levels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mipmaps {
     levels: Vec<Texture>,
+    is_opaque: bool,
 }
 
 impl Mipmaps {
@@ -25,7 +26,14 @@ impl Mipmaps {
             let expected = pair[0].size().map(|side| (side / 2).max(1));
             assert_eq!(pair[1].size(), expected, "the size of level {}", level + 1);
         }
-        Self { levels }
+        let is_opaque = levels.iter().flat_map(Texture::texels).all(|&texel| is_opaque(texel));
+        Self { levels, is_opaque }
+    }
+
+    /// Whether all texels of all levels are opaque.
+    #[must_use]
+    pub const fn is_opaque(&self) -> bool {
+        self.is_opaque
     }
 
     /// The levels, the largest first.
