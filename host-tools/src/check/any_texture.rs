@@ -22,20 +22,20 @@ use crate::reference::{Mipmaps, Texel, Wrap, is_opaque};
 pub(super) struct AnyTable {
     texels: Vec<Option<Rgb888>>,
     levels: Levels,
+    has_levels: bool,
     wrap: [Wrap; 2],
 }
 
 impl AnyTable {
-    /// The texels of a texture. Of one without mip levels, the missing ones are black; no filter
-    /// that reads them is chosen.
+    /// The texels of a texture, with or without mip levels.
     pub(super) fn new(texture: &Mipmaps) -> Self {
         let base = texture.base();
         let [width, height] = base.size();
         let levels = Levels::new(width, height);
-        let mut texels: Vec<_> =
+        let texels: Vec<_> =
             texture.levels().iter().flat_map(|level| level.texels()).map(stored).collect();
-        texels.resize(levels.texel_count(), Some(Rgb888::new(0, 0, 0)));
-        Self { texels, levels, wrap: base.wrap() }
+        let has_levels = texels.len() == levels.texel_count();
+        Self { texels, levels, has_levels, wrap: base.wrap() }
     }
 }
 
@@ -97,7 +97,13 @@ pub(super) struct AnyTexture<'a> {
 }
 
 impl<'a> AnyTexture<'a> {
+    /// Of a texture without mip levels, a filter that reads them takes the texture itself.
     pub(super) fn new(table: &'a AnyTable, filter: Filter) -> Self {
+        let filter = match filter {
+            Filter::Mipmap if !table.has_levels => Filter::Nearest,
+            Filter::Trilinear if !table.has_levels => Filter::Bilinear,
+            filter => filter,
+        };
         Self { table, texels: AnyTexels(&table.texels), filter }
     }
 }

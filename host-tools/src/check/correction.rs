@@ -85,7 +85,7 @@ impl Correction {
                 Self::Affine | Self::EveryPixel => at_exact_points,
                 Self::Adaptive => at_exact_points.max(TOLERANCE),
                 _ => {
-                    // The exact values along the row, as far as the span goes.
+                    // The exact values along the row, up to the span's ends.
                     let value = |place: usize| {
                         let by = (first + place) as f64 - sample.pixel[0] as f64;
                         let at = |i: usize| sample.varyings[i] + by * sample.per_column[i];

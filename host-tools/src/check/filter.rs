@@ -224,8 +224,8 @@ impl Seen<'_> {
         }
     }
 
-    /// Adds the colours that `colors` returns for each texel that may be the nearest one: it decides
-    /// whether a pixel is transparent, and stands in for those that are.
+    /// Adds the colours that `colors` returns for each texel that may be the nearest one: it
+    /// decides whether a pixel is transparent, and stands in for those that are.
     fn for_each_base(
         &self,
         level: usize,

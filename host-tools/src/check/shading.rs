@@ -54,6 +54,12 @@ impl Shading {
         ("textured-gouraud", Self::TexturedGouraud),
     ];
 
+    /// What a model is drawn with unless another one is chosen: its textures, if it has any.
+    #[must_use]
+    pub const fn of(model: &Model) -> Self {
+        if model.textures.is_some() { Self::TexturedGouraud } else { Self::Gouraud }
+    }
+
     /// Whether it reads texture coordinates.
     #[must_use]
     pub const fn is_textured(self) -> bool {

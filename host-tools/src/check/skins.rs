@@ -7,7 +7,7 @@ use super::{
     surface::Surface,
 };
 use crate::{
-    model::Model,
+    model::{self, Model, TextureWrap, Textures},
     reference::{Mipmaps, Texel, Texture, Wrap},
 };
 
@@ -71,9 +71,30 @@ impl Skins {
     }
 }
 
-/// The textures of a model by its materials.
+/// The textures of a model by its materials, in whole steps of 8 bits, as the core draws them.
 pub(super) fn of_materials(model: &Model) -> Vec<Option<Mipmaps>> {
-    model.materials.iter().map(|_| None).collect()
+    let Some(textures) = &model.textures else {
+        return vec![None; model.materials.len()];
+    };
+    let all: Vec<_> =
+        textures.textures.iter().map(|texture| of_texture(textures, texture)).collect();
+    textures.by_material.iter().map(|place| Some(all[(*place)?].clone())).collect()
+}
+
+/// A texture with its levels.
+fn of_texture(textures: &Textures, texture: &model::Texture) -> Mipmaps {
+    let wrap = textures.wrap.map(|wrap| match wrap {
+        TextureWrap::Repeat => Wrap::Repeat,
+        TextureWrap::Clamp => Wrap::Clamp,
+    });
+    let mut first = 0;
+    let level = |size: [usize; 2]| {
+        let texels = first..first + size[0] * size[1];
+        first = texels.end;
+        let stored = |texel| texture.rgba(texel).map(f64::round);
+        Texture::new(size, wrap, texels.map(stored).collect())
+    };
+    Mipmaps::new(textures.levels().into_iter().map(level).collect())
 }
 
 /// One texel of a colour.

@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{Bounds, Checked, Checker, Outcome, View},
+    check::{Bounds, Checked, Checker, Outcome, Shading, View},
     model::Model,
 };
 use serde::Serialize;
@@ -119,7 +119,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         allow_directory(directory)?;
     }
     let model = convert::load(path, &arguments.view.conversion())?;
-    let view = arguments.view.view();
+    let view = arguments.view.view(Shading::of(&model));
     let worst = worst_frame(path, &model, &view, frames)?;
     if !worst.checked.outcome.shows_something() {
         output::complain("warning", &render::nothing_seen(path));

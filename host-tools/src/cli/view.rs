@@ -10,7 +10,7 @@ use host_tools::{
 };
 use serde::Serialize;
 
-use super::smoothing::Smoothing;
+use super::{smoothing::Smoothing, textures::TextureArguments};
 
 /// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
@@ -40,15 +40,12 @@ pub(super) struct ViewOptions {
         value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
-    /// How triangles are coloured
-    #[arg(
-        long,
-        default_value = name(&Shading::NAMES, View::default().shading),
-        value_parser = choice(&Shading::NAMES)
-    )]
-    shading: Shading,
-    /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often as
-    /// half a texel needs it
+    /// How triangles are coloured [default: textured-gouraud if the model has textures, otherwise
+    /// gouraud]
+    #[arg(long, value_parser = choice(&Shading::NAMES))]
+    shading: Option<Shading>,
+    /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often
+    /// as half a texel needs it
     #[arg(
         long,
         value_name = "MODE",
@@ -56,7 +53,7 @@ pub(super) struct ViewOptions {
         value_parser = choice(&Correction::NAMES)
     )]
     perspective: Correction,
-    /// How a colour is taken from a texture
+    /// How a colour is taken from a texture; mipmap and trilinear make its mip levels
     #[arg(
         long,
         default_value = name(&Filter::NAMES, View::default().filter),
@@ -148,11 +145,13 @@ pub(super) struct ViewOptions {
         value_parser = clap::value_parser!(u32).range(1..=360)
     )]
     pub(super) frames: u32,
+    #[command(flatten)]
+    textures: TextureArguments,
 }
 
 impl ViewOptions {
-    /// The view of frame 0.
-    pub(super) fn view(&self) -> View {
+    /// The view of frame 0, in the shading `otherwise` unless one is chosen.
+    pub(super) fn view(&self, otherwise: Shading) -> View {
         View {
             size: self.size,
             distance: self.distance,
@@ -168,7 +167,7 @@ impl ViewOptions {
             roll_degrees: self.roll,
             subpixel: self.subpixel,
             depth: self.depth,
-            shading: self.shading,
+            shading: self.shading.unwrap_or(otherwise),
             perspective: self.perspective,
             filter: self.filter,
         }
@@ -176,7 +175,11 @@ impl ViewOptions {
 
     /// The conversion of the model for it.
     pub(super) fn conversion(&self) -> Options {
-        Options { fix_winding: self.fix_winding, ..self.smoothing.options() }
+        let mut textures = self.textures.options();
+        if let Some(textures) = &mut textures {
+            textures.mipmaps |= self.filter.reads_levels();
+        }
+        Options { fix_winding: self.fix_winding, textures, ..self.smoothing.options() }
     }
 }
 
@@ -245,7 +248,7 @@ fn name<T: PartialEq>(table: &[(&'static str, T)], value: T) -> &'static str {
 }
 
 /// A parser of the names in a table.
-fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
+pub(super) fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
     table: &'static [(&'static str, T); N],
 ) -> impl TypedValueParser<Value = T> {
     PossibleValuesParser::new(table.iter().map(|(name, _)| *name)).try_map(|given| {
@@ -294,7 +297,7 @@ mod tests {
     #[test]
     fn no_options_give_the_library_s_defaults() {
         let options = parse(&[]).unwrap();
-        assert_eq!(options.view(), View::default());
+        assert_eq!(options.view(Shading::default()), View::default());
         assert_eq!(options.conversion(), Options::default());
     }
 
@@ -319,7 +322,7 @@ mod tests {
             perspective: Correction::Every16,
             filter: Filter::Trilinear,
         };
-        assert_eq!(options.view(), expected);
+        assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
         assert_eq!((conversion.crease_degrees, options.frames), (10.0, 5));
         assert!(!conversion.smoothing_groups, "the angle goes before the file's groups");

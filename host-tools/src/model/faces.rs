@@ -39,8 +39,8 @@ pub struct Face {
 
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
-    /// are `shape`. `used` has the materials of the tables, `lines` the line of each face, `vertices`
-    /// the position of each vertex of the tables. Texture coordinates are left out.
+    /// are `shape`. `used` has the materials of the tables, `lines` the line of each face,
+    /// `vertices` the position of each vertex of the tables. Texture coordinates are left out.
     pub(super) fn new(
         polygons: &Polygons,
         used: &[usize],

@@ -31,6 +31,13 @@ impl Rgb565Be {
     /// No light at all, with no bit set: memory in a static that starts with it takes no flash.
     pub const BLACK: Self = Self(0);
 
+    /// A colour of 5 bits of red, 6 of green and 5 of blue. More significant bits are ignored.
+    #[must_use]
+    pub const fn new(red: u8, green: u8, blue: u8) -> Self {
+        let (red, green, blue) = (red as u16 & 31, green as u16 & 63, blue as u16 & 31);
+        Self((red << 11 | green << 5 | blue).to_be())
+    }
+
     /// Returns the bytes of pixels, two for each, without a copy.
     #[must_use]
     pub const fn as_bytes(pixels: &[Self]) -> &[u8] {

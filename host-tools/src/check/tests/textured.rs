@@ -243,3 +243,35 @@ fn transparent_texels_show_what_is_behind() {
         }
     }
 }
+
+#[test]
+fn pictures_of_materials_are_drawn_without_being_chosen() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = |name: &str, contents: &[u8]| fs::write(directory.path().join(name), contents);
+    // A picture that differs at all four corners, so that none may take the place of another.
+    let mut picture = Vec::new();
+    let mut encoder = png::Encoder::new(&mut picture, 16, 32);
+    encoder.set_color(png::ColorType::Rgb);
+    let texel = |i: usize| [(16 * (i % 16)) as u8, (8 * (i / 16)) as u8, 90];
+    let data: Vec<u8> = (0..16 * 32).flat_map(texel).collect();
+    encoder.write_header().unwrap().write_image_data(&data).unwrap();
+    file("p.png", &picture).unwrap();
+    file("m.mtl", b"newmtl red\nmap_Kd p.png\n").unwrap();
+    let obj = "mtllib m.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0.2\nv -1 1 0\nvt 0.05 0.05\nvt 0.95 0.1\n\
+               vt 0.9 0.95\nvt 0.1 0.9\nusemtl red\nf 1/1 2/2 3/3 4/4\n";
+    file("m.obj", obj.as_bytes()).unwrap();
+    let textures = Some(crate::model::TextureOptions { mipmaps: true, ..Default::default() });
+    let options = Options { textures, ..Options::default() };
+    let model = Model::load(directory.path().join("m.obj"), &options).unwrap();
+    assert_eq!(Shading::of(&model), Shading::TexturedGouraud);
+    for (_, filter) in Filter::NAMES {
+        for shading in [Shading::Textured, Shading::TexturedGouraud] {
+            let view = View { filter, shading, yaw_degrees: 20.0, ..VIEW };
+            let outcome = passes(&Checker::new(&model), &view);
+            // From the file's own coordinates: apart from texels beside, the same picture. One
+            // turned over would have some 10 dB.
+            let psnr = outcome.end_to_end.deviation.psnr_db.unwrap();
+            assert!(psnr > 35.0, "{view:?}: {psnr}");
+        }
+    }
+}
