@@ -5,8 +5,8 @@ use core::{fmt::Debug, marker::PhantomData};
 use super::{Side, Wrap};
 use crate::{
     attribute::{
-        Components, Interpolate, InverseW, Piece, Plane, QuickGradients, Step, TriangleSetup,
-        Varyings, lerp,
+        Components, Field, Interpolate, InverseW, Piece, Plane, QuickGradients, Step,
+        TriangleSetup, Varyings, lerp,
     },
     numbers::Subpixel,
 };
@@ -168,7 +168,7 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
 {
     const ZERO: Self = Self::new([T::ZERO; 2]);
 
-    type Field = Plane<[T::Value; 2]>;
+    type Field = Slope<T, W, H, X, Y>;
     type Walk = Place<W, H, X, Y>;
     type Rest = Anchored<T, W, H, X, Y>;
     type Sample = Place<W, H, X, Y>;
@@ -181,11 +181,8 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
     ) -> Self::Field {
         let u = T::linear(setup, quick, [a.uv[0], b.uv[0], c.uv[0]]);
         let v = T::linear(setup, quick, [a.uv[1], b.uv[1], c.uv[1]]);
-        Plane {
-            anchor: [u.anchor, v.anchor],
-            per_column: [u.per_column, v.per_column],
-            per_row: [u.per_row, v.per_row],
-        }
+        let step = Place::step([T::change_to_q24(u.per_column), T::change_to_q24(v.per_column)]);
+        Slope { u, v, step }
     }
 
     #[inline(always)]
@@ -200,10 +197,10 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
         pixels: usize,
     ) -> (Piece<Self::Walk>, Self::Rest) {
         let mut rest = Anchored {
-            first: field.at(address, row),
-            change: field.per_column,
+            first: [field.u.at(address, row), field.v.at(address, row)],
+            change: [field.u.per_column, field.v.per_column],
+            step: field.step,
             pixels,
-            wrap: PhantomData,
         };
         (rest.piece(), rest)
     }
@@ -286,7 +283,7 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Place<W, H, X, Y> {
     #[inline(always)]
     const fn step([u, v]: [i32; 2]) -> Self {
         if Self::IS_PACKED {
-            let [u, v] = [(u + (1 << 7)) >> 8, (v + (1 << 7)) >> 8];
+            let [u, v] = [u.wrapping_add(1 << 7) >> 8, v.wrapping_add(1 << 7) >> 8];
             Self::of([((v << 16) as u32).wrapping_add(u as u32), 0])
         } else {
             Self::of([u as u32, v as u32])
@@ -328,14 +325,36 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Step for Place<W, H, X, Y
     }
 }
 
+/// Coordinates that are linear on the screen.
+#[derive(Clone, Copy, Debug)]
+pub struct Slope<T: CoordinateFormat, const W: usize, const H: usize, X, Y> {
+    u: Plane<T::Value>,
+    v: Plane<T::Value>,
+    /// The change of the place from pixel to pixel.
+    step: Place<W, H, X, Y>,
+}
+
+impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Field
+    for Slope<T, W, H, X, Y>
+{
+    #[inline(always)]
+    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
+        Self {
+            u: self.u.over_addresses(to_first, pitch),
+            v: self.v.over_addresses(to_first, pitch),
+            ..self
+        }
+    }
+}
+
 /// The pieces of a span along which a place is linear: so short that rounding adds up to less than
 /// 1/16 of a texel.
 #[derive(Clone, Copy, Debug)]
 pub struct Anchored<T: CoordinateFormat, const W: usize, const H: usize, X, Y> {
     first: [T::Value; 2],
     change: [T::Value; 2],
+    step: Place<W, H, X, Y>,
     pixels: usize,
-    wrap: PhantomData<(X, Y)>,
 }
 
 impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap>
@@ -347,12 +366,12 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap>
     #[inline(always)]
     fn piece(&mut self) -> Piece<Place<W, H, X, Y>> {
         let pixels = self.pixels.min(Self::LONGEST);
-        let ([u, v], [du, dv]) = (self.first, self.change);
+        let [u, v] = self.first;
         self.pixels -= pixels;
         self.first = self.first.wrapping_add(self.change.wrapping_mul(pixels as i32));
         Piece {
             first: Place::new([T::value_to_q24(u), T::value_to_q24(v)]),
-            step: Place::step([T::change_to_q24(du), T::change_to_q24(dv)]),
+            step: self.step,
             pixels,
         }
     }
