@@ -7,8 +7,8 @@
 //! host-tools = { version = "0.1", default-features = false }
 //! ```
 //!
-//! A module of the firmware includes the tables. Cargo converts the model again when the OBJ or its
-//! MTL changes:
+//! A module of the firmware includes the tables. Cargo converts the model again when the OBJ, its
+//! MTL or a picture changes:
 //!
 //! ```ignore
 //! // pub static GEAR: rasterizer::mesh::Mesh<'static>

@@ -16,6 +16,7 @@ use super::{
     output::{self, Kind, Overwriting},
     progress::Progress,
     smoothing::Smoothing,
+    textures::{TextureArguments, TextureJson},
 };
 
 /// Files of tables. Each begins with these words.
@@ -29,10 +30,13 @@ Examples:
   host-tools convert model.obj
   host-tools convert model.obj -o firmware/src/model.rs --name SHIP
   host-tools convert model.obj --normals face        Flat shading needs no other normals
+  host-tools convert model.obj --texture-size 64x64 --texture-format indexed4 --mipmaps
+  host-tools convert model.obj --no-textures         Only colours
   host-tools convert model.obj --json | jq .flash
   export | host-tools convert - -o - > model.rs       Standard input and output
 
-Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL`.";
+Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL`. The textures of
+its materials are `model::MODEL_TEXTURES`.";
 
 /// Write a model as const tables in Rust
 #[derive(Debug, Args)]
@@ -59,9 +63,11 @@ pub(super) struct Arguments {
     /// Which normals: vertex for Gouraud shading, face for flat shading
     #[arg(long, value_name = "WHICH", default_value = "both")]
     normals: Normals,
-    /// Keep texture coordinates
+    /// Keep texture coordinates even without textures
     #[arg(long)]
     texture_coordinates: bool,
+    #[command(flatten)]
+    textures: TextureArguments,
     /// Overwrite a file that is not from this program
     #[arg(long)]
     force: bool,
@@ -88,6 +94,7 @@ impl Arguments {
                 face_normals: matches!(self.normals, Normals::Face | Normals::Both),
                 texture_coordinates: self.texture_coordinates,
             },
+            textures: self.textures.options(),
             name: self.name.clone(),
             ..self.smoothing.options()
         }
@@ -105,6 +112,7 @@ struct Json<'a> {
     position_error_max_percent: f64,
     position_error_rms_percent: f64,
     flash_total: usize,
+    textures: Vec<TextureJson>,
     warnings: &'a [String],
 }
 
@@ -126,7 +134,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         json(arguments, &path, &model)?
     } else {
         let mut text = model.report.to_string();
-        writeln!(text, "\nWrote {}: static {}", path.display(), model.name)?;
+        let mut statics = format!("static {}", model.name);
+        if let Some(textures) = &model.textures {
+            write!(text, "{textures}")?;
+            statics = format!("statics {0} and {0}_TEXTURES", model.name);
+        }
+        writeln!(text, "\nWrote {}: {statics}", path.display())?;
         text
     };
     Ok(text.into())
@@ -142,6 +155,7 @@ fn json(arguments: &Arguments, path: &Path, model: &Model) -> Result<String> {
         position_error_max_percent: report.percent_of_size(report.position_error_max),
         position_error_rms_percent: report.percent_of_size(report.position_error_rms),
         flash_total: report.flash.total(),
+        textures: model.textures.as_ref().map(TextureJson::all).unwrap_or_default(),
         warnings: &model.warnings,
     };
     output::json(&object)

@@ -12,6 +12,7 @@ mod showcase;
 mod signals;
 mod smoothing;
 mod table;
+mod textures;
 mod view;
 
 use std::{ffi::OsStr, path::PathBuf, process::ExitCode};

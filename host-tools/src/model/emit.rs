@@ -3,14 +3,14 @@
 //! The file has plain comments only, so that it can be a module or be included by `include!`. All
 //! tables are statics inside the initialiser of the one public static, where their names cannot
 //! collide with others. `#[rustfmt::skip]` on it keeps a formatter from putting each number on a
-//! separate line.
+//! separate line. A model with textures has a second public static and their type.
 
 use std::fmt::{Display, Write as _};
 
 use rasterizer::mesh::Material;
 
 use super::{
-    Indices, Model, TextureTable,
+    Indices, Model, TextureTable, emit_textures,
     report::{grouped, thousands},
 };
 
@@ -22,7 +22,9 @@ const WIDTH: usize = 100;
 pub fn source(model: &Model) -> String {
     let mut out = String::new();
     // Writing to a string cannot fail.
-    let _ = header(&mut out, model).and_then(|()| mesh(&mut out, model));
+    let _ = header(&mut out, model)
+        .and_then(|()| mesh(&mut out, model))
+        .and_then(|()| emit_textures::textures(&mut out, model));
     out
 }
 
@@ -36,7 +38,8 @@ fn header(out: &mut String, model: &Model) -> std::fmt::Result {
     }
     writeln!(out, "// With {}", options(model))?;
     writeln!(out, "//")?;
-    for line in model.report.to_string().lines() {
+    let textures = model.textures.as_ref().map(ToString::to_string).unwrap_or_default();
+    for line in model.report.to_string().lines().chain(textures.lines()) {
         writeln!(out, "// {line}")?;
     }
     writeln!(out, "//")?;
@@ -140,7 +143,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
 }
 
 /// One table, as many entries to a line as fit; an empty one is not written.
-fn table(
+pub(super) fn table(
     out: &mut String,
     name: &str,
     entry_type: &str,
@@ -149,17 +152,23 @@ fn table(
     if entries.len() == 0 {
         return Ok(());
     }
-    write!(out, "    static {name}: [{entry_type}; {}] = [", entries.len())?;
-    let mut column = WIDTH;
+    writeln!(out, "    static {name}: [{entry_type}; {}] = [", entries.len())?;
+    rows(out, entries)?;
+    writeln!(out, "    ];")
+}
+
+/// The lines of a table.
+pub(super) fn rows(out: &mut String, entries: impl Iterator<Item = String>) -> std::fmt::Result {
+    let mut column = 0;
     for entry in entries {
-        if column + entry.len() + 2 > WIDTH {
-            write!(out, "\n       ")?;
+        if column == 0 || column + entry.len() + 2 > WIDTH {
+            write!(out, "{}       ", if column == 0 { "" } else { "\n" })?;
             column = 7;
         }
         write!(out, " {entry},")?;
         column += entry.len() + 2;
     }
-    writeln!(out, "\n    ];")
+    writeln!(out)
 }
 
 fn row<T: Display + Copy + Into<i32>, const N: usize>(numbers: &[T; N]) -> String {
@@ -192,7 +201,7 @@ fn material(material: &Material) -> String {
 }
 
 /// A file name that can neither end a comment nor its code span.
-fn in_comment(name: &str) -> String {
+pub(super) fn in_comment(name: &str) -> String {
     format!("`{}`", name.escape_debug().to_string().replace('`', "'"))
 }
 

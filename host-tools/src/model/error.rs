@@ -151,6 +151,34 @@ pub enum ModelError {
         /// The farthest coordinate from 0, in repeats.
         range: f64,
     },
+    /// The picture of a material's texture cannot be read.
+    #[error(
+        "{}:{line}: `map_Kd`: {fault} (or correct its name here, or convert without textures)",
+        shown(.path)
+    )]
+    Picture {
+        /// The material library.
+        path: PathBuf,
+        /// The line of the `map_Kd`.
+        line: usize,
+        /// What is wrong with the picture.
+        fault: String,
+    },
+    /// Textures cannot have the size chosen.
+    #[error(
+        "{}: textures of {}x{}: {reason}: choose another size",
+        shown(.path),
+        .size[0],
+        .size[1]
+    )]
+    TextureSize {
+        /// The OBJ file.
+        path: PathBuf,
+        /// The size chosen.
+        size: [usize; 2],
+        /// Why not.
+        reason: &'static str,
+    },
     /// The crease angle is out of range.
     #[error(
         "a crease angle of {degrees} degrees is out of range: choose 0 (all edges hard) to 180 \

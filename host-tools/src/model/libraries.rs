@@ -1,4 +1,4 @@
-//! The colours of an OBJ's materials, from its material libraries.
+//! The colours and textures of an OBJ's materials, from its material libraries.
 
 use std::{
     collections::{HashMap, HashSet},
@@ -12,6 +12,8 @@ use super::{
     mtl::{self, Definition, Faults},
     quote::shown,
     source::{self, without_clear_comment, without_possible_comment},
+    texture_map::TextureMap,
+    textures::Wanted,
     validate::Checked,
     warnings::Tally,
 };
@@ -19,12 +21,35 @@ use super::{
 /// The colour of a face without a material, or with one whose colour is unknown.
 pub(super) const DEFAULT_COLOR: [u8; 3] = [200; 3];
 
+/// What becomes of the textures that materials have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) enum Pictures {
+    /// They are kept, and take the place of `Kd`.
+    Kept,
+    /// They are not wanted.
+    #[default]
+    LeftOut,
+    /// No face has texture coordinates.
+    Unplaced,
+}
+
+/// A material that a library defines.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Material {
+    /// Its colour.
+    pub color: [u8; 3],
+    /// Whether the mean colour of its texture is a better one: it has no `Kd`, or a black one.
+    pub takes_mean: bool,
+    /// Its texture, and the library that names it.
+    pub map: Option<(TextureMap, PathBuf)>,
+}
+
 /// All libraries of a model.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Libraries {
-    /// The colours of all materials that they define.
-    pub colors: Vec<[u8; 3]>,
-    /// For each of the OBJ's [`materials`](Checked::materials), its index in `colors`.
+    /// All materials that they define.
+    pub materials: Vec<Material>,
+    /// For each of the OBJ's [`materials`](Checked::materials), its index in `materials`.
     pub chosen: Vec<Option<usize>>,
     /// The files named, readable or not.
     pub paths: Vec<PathBuf>,
@@ -35,7 +60,12 @@ pub(super) struct Libraries {
 }
 
 /// Reads the libraries that the OBJ file at `obj` names, and finds its materials in them.
-pub(super) fn load(obj: &Path, checked: &Checked, contents: Contents) -> Libraries {
+pub(super) fn load(
+    obj: &Path,
+    checked: &Checked,
+    contents: Contents,
+    pictures: Pictures,
+) -> Libraries {
     let mut libraries = Libraries::default();
     let mut defined = Vec::new();
     let mut faults = Faults::default();
@@ -68,12 +98,22 @@ pub(super) fn load(obj: &Path, checked: &Checked, contents: Contents) -> Librari
 
     let names = Names::of(&defined);
     libraries.chosen = checked.materials.iter().map(|(_, name)| names.find(name)).collect();
-    libraries.colors = (defined.iter())
-        .map(|(_, material)| material.color.map_or(DEFAULT_COLOR, |(color, _)| quantised(color)))
+    libraries.materials = (defined.iter())
+        .map(|(file, material)| {
+            let map = material.texture.clone();
+            Material {
+                color: material.color.map_or(DEFAULT_COLOR, |(color, _)| quantised(color)),
+                takes_mean: material.color.is_none() || material.black_line().is_some(),
+                map: map.map(|map| (map, libraries.paths[*file].clone())),
+            }
+        })
         .collect();
+    let is_colorless = |material: &Definition| {
+        material.color.is_none() && (pictures != Pictures::Kept || material.texture.is_none())
+    };
     let mut colorless = Tally::default();
     for ((line, name), chosen) in checked.materials.iter().zip(&libraries.chosen) {
-        if chosen.is_none_or(|chosen| defined[chosen].1.color.is_none()) {
+        if chosen.is_none_or(|chosen| is_colorless(&defined[chosen].1)) {
             colorless.add_word(obj, *line, name);
         }
     }
@@ -83,8 +123,20 @@ pub(super) fn load(obj: &Path, checked: &Checked, contents: Contents) -> Librari
             tally.examples()
         )
     });
-    dropped(&defined, &names.again, contents, &mut libraries);
+    dropped(&defined, &names.again, contents, pictures, &mut libraries);
     libraries
+}
+
+impl Libraries {
+    /// The texture of a material, by its index in `materials` or one past the end.
+    pub(super) fn wanted(&self, material: usize) -> Option<Wanted> {
+        let (map, library) = self.materials.get(material)?.map.as_ref()?;
+        Some(Wanted {
+            picture: library_path::picture(library, &map.file),
+            place: (library.clone(), map.line),
+            clamps: map.clamps,
+        })
+    }
 }
 
 /// Reads a library.
@@ -167,16 +219,19 @@ impl<'a> Names<'a> {
     }
 }
 
-/// Warns of what the chosen materials lose. A texture is not lost if its coordinates are kept.
+/// Warns of what the chosen materials lose. A texture is not lost if its coordinates are kept: the
+/// shader may have one.
 fn dropped(
     defined: &[(usize, Definition)],
     again: &[(usize, usize)],
     contents: Contents,
+    pictures: Pictures,
     libraries: &mut Libraries,
 ) {
     let used: HashSet<usize> = libraries.chosen.iter().copied().flatten().collect();
     let (mut doubles, mut transparent) = (Tally::default(), Tally::default());
     let (mut textured, mut black) = (Tally::default(), Tally::default());
+    let mut tinted = Tally::default();
     for &(index, first) in again {
         if used.contains(&first) {
             let (file, material) = &defined[index];
@@ -185,10 +240,14 @@ fn dropped(
     }
     for (index, (file, material)) in defined.iter().enumerate() {
         if used.contains(&index) {
+            let map = material.texture.as_ref().map(|map| map.line);
+            let is_kept = map.is_some() && pictures == Pictures::Kept;
+            let is_lost = !is_kept && !contents.texture_coordinates;
             for (tally, line) in [
                 (&mut transparent, material.transparent_line()),
-                (&mut textured, material.texture.filter(|_| !contents.texture_coordinates)),
-                (&mut black, material.black_line()),
+                (&mut textured, map.filter(|_| is_lost)),
+                (&mut black, material.black_line().filter(|_| !is_kept)),
+                (&mut tinted, material.tint_line().filter(|_| is_kept)),
             ] {
                 if let Some(line) = line {
                     tally.add_word(&libraries.paths[*file], line, &material.name);
@@ -209,7 +268,18 @@ fn dropped(
     textured.warn(warnings, |tally| {
         let materials = tally.counted("material has", "materials have");
         let names = tally.examples();
-        format!("{materials} a texture (`map_Kd`), which is ignored: {names}")
+        let reason = match pictures {
+            Pictures::Unplaced => " as no face has texture coordinates",
+            _ => "",
+        };
+        format!("{materials} a texture (`map_Kd`), which is ignored{reason}: {names}")
+    });
+    tinted.warn(warnings, |tally| {
+        let materials = tally.counted("material has", "materials have");
+        let names = tally.examples();
+        format!(
+            "{materials} a coloured `Kd` beside a texture (`map_Kd`), whose colours count: {names}"
+        )
     });
     black.warn(warnings, |tally| {
         let materials = tally.counted("material has", "materials have");
@@ -237,14 +307,15 @@ mod tests {
             materials: names.iter().map(|&n| (5, n.into())).collect(),
             ..Checked::default()
         };
-        load(&directory.path().join("m.obj"), &checked, Contents::default())
+        load(&directory.path().join("m.obj"), &checked, Contents::default(), Pictures::Kept)
     }
 
     #[test]
     fn materials_are_found_by_name() {
         let text = b"newmtl dark red\nKd 0.5 0 0\nnewmtl g\nKd 0.25\n";
         let libraries = libraries(Some(text), &["g", "dark red", "g2"]);
-        assert_eq!(libraries.colors, [[128, 0, 0], [64; 3]]);
+        let colors: Vec<[u8; 3]> = libraries.materials.iter().map(|m| m.color).collect();
+        assert_eq!(colors, [[128, 0, 0], [64; 3]]);
         assert_eq!(libraries.chosen, [Some(1), Some(0), None]);
         assert_eq!(libraries.files[0].bytes, text.len());
     }
@@ -262,7 +333,8 @@ mod tests {
         }
         assert_eq!(warnings.len(), 4);
         let endless = Checked { libraries: vec![(3, vec![b'x'; 5_000])], ..Checked::default() };
-        let warnings = load(Path::new("m.obj"), &endless, Contents::default()).warnings;
+        let (obj, contents) = (Path::new("m.obj"), Contents::default());
+        let warnings = load(obj, &endless, contents, Pictures::Kept).warnings;
         assert!(warnings[0].starts_with("m.obj:3: `mtllib` names no file (`xxx"), "{warnings:?}");
         assert!(warnings[0].len() < 120, "{warnings:?}");
         let missing = libraries(None, &[]).warnings;

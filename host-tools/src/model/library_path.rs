@@ -1,4 +1,4 @@
-//! The files that a `mtllib` names.
+//! The files that a `mtllib` or a `map_Kd` names.
 
 use std::path::{Path, PathBuf};
 
@@ -38,12 +38,23 @@ pub(super) fn files(obj: &Path, argument: &[u8]) -> Vec<PathBuf> {
     }
 }
 
+/// Returns the picture that a name in the library at `library` stands for: the first place where
+/// there is a file, else the likeliest one.
+pub(super) fn picture(library: &Path, name: &[u8]) -> PathBuf {
+    let name = &name[..name.len().min(LONGEST)];
+    let unquoted = name.strip_prefix(b"\"").and_then(|name| name.strip_suffix(b"\""));
+    let cuts = [name, without_clear_comment(name), without_possible_comment(name)];
+    let all = cuts.into_iter().chain(unquoted).flat_map(|name| places(library, name));
+    let likeliest = places(library, cuts[1]).swap_remove(0);
+    all.into_iter().find(|path| path.is_file()).unwrap_or(likeliest)
+}
+
 fn is_library(word: &[u8]) -> bool {
     word.to_ascii_lowercase().ends_with(b".mtl")
 }
 
 /// Where a file may lie, the likeliest place first: where its name says, or, if that is a path of
-/// another machine, beside the OBJ.
+/// another machine, beside the file that names it.
 fn places(obj: &Path, name: &[u8]) -> Vec<PathBuf> {
     let mut places = whole_places(obj, name);
     let last = name.rsplit(|byte| matches!(byte, b'/' | b'\\')).next().unwrap_or_default();

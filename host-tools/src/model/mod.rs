@@ -6,14 +6,15 @@
 //! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
 //! values before rounding.
 //!
-//! The converter reads positions, normals, texture coordinates, faces and diffuse colours of an OBJ
-//! file, and its smoothing groups where it has no normals. What else a file shows and the tables
-//! cannot hold, such as lines, curves, vertex colours, textures and transparency, it leaves out
-//! with a warning for each kind.
+//! The converter reads positions, normals, texture coordinates, faces, diffuse colours and textures
+//! of an OBJ file, and its smoothing groups where it has no normals. What else a file shows and the
+//! tables cannot hold, such as lines, curves, vertex colours and transparent materials, it leaves
+//! out with a warning for each kind.
 
 mod cap;
 mod ears;
 pub mod emit;
+mod emit_textures;
 mod error;
 mod faces;
 mod fit;
@@ -23,6 +24,7 @@ mod libraries;
 mod library_path;
 mod mtl;
 mod normals;
+mod options;
 mod order;
 mod polygons;
 mod quantize;
@@ -34,6 +36,8 @@ mod source;
 #[cfg(test)]
 mod tests;
 mod texture_coordinates;
+mod texture_map;
+mod textures;
 mod triangulate;
 mod validate;
 mod vector;
@@ -43,7 +47,7 @@ mod winding;
 mod write;
 
 use std::{
-    fmt,
+    collections::HashMap,
     path::{Path, PathBuf},
 };
 
@@ -54,97 +58,29 @@ use rasterizer::{
 
 pub use error::{LineFault, ModelError};
 pub use faces::{Face, Faces};
+pub use options::{Contents, Fit, Options};
 pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use texture_coordinates::TextureTable;
+pub use textures::{
+    AlphaFormat, ColorFormat, Picture, TexelFormat, Texture, TextureOptions, TextureWrap, Textures,
+};
 pub use write::{convert_for_build, write_atomically};
 
+use libraries::Pictures;
 use smoothing::Smoothing;
 use triangulate::Triangle;
 use vector::{Vector, length, sub};
 use weld::Welded;
-
-/// How to convert a model.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// Where it lies and how large it is.
-    pub fit: Fit,
-    /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
-    /// across their edge.
-    pub crease_degrees: f64,
-    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
-    /// turned over. Without it they are only told.
-    pub fix_winding: bool,
-    /// Whether computed normals follow the file's smoothing groups (`s 1`, `s off`) in place of the
-    /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
-    /// follow the crease angle.
-    pub smoothing_groups: bool,
-    /// Which tables to make.
-    pub contents: Contents,
-    /// The name of the static; `None` for that of the file.
-    pub name: Option<String>,
-}
-
-impl Default for Options {
-    /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, the default
-    /// contents, the name of the file.
-    fn default() -> Self {
-        Self {
-            fit: Fit::default(),
-            crease_degrees: 60.0,
-            fix_winding: false,
-            smoothing_groups: true,
-            contents: Contents::default(),
-            name: None,
-        }
-    }
-}
-
-/// Where a model lies and how large it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Fit {
-    /// The middle of its bounding box at the origin, its farthest vertex at a distance of 1.
-    #[default]
-    Unit,
-    /// The file's own coordinates, which must lie in Q16.16.
-    Keep,
-}
-
-impl fmt::Display for Fit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Unit => "unit fit",
-            Self::Keep => "coordinates kept",
-        })
-    }
-}
-
-/// Which of the optional tables to make.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Contents {
-    /// For smooth shading; hard edges take more vertices.
-    pub vertex_normals: bool,
-    /// For flat shading.
-    pub face_normals: bool,
-    /// For textures; seams take more vertices.
-    pub texture_coordinates: bool,
-}
-
-impl Default for Contents {
-    /// Both kinds of normals, no texture coordinates.
-    fn default() -> Self {
-        Self { vertex_normals: true, face_normals: true, texture_coordinates: false }
-    }
-}
 
 /// A converted model.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Model {
     /// The name of the static, in capitals.
     pub name: String,
-    /// How it is converted.
+    /// How it is converted. The contents are those that it has.
     pub options: Options,
-    /// The files it is made from: the OBJ, then its material libraries.
+    /// The files it is made from: the OBJ, its material libraries, and pictures.
     pub provenance: Vec<Provenance>,
     /// The paths of these, and of libraries that cannot be read.
     pub inputs: Vec<PathBuf>,
@@ -164,6 +100,8 @@ pub struct Model {
     pub triangles: Indices,
     /// The colours and how many triangles each covers.
     pub materials: Vec<Material>,
+    /// The textures of the materials, if any of them has one.
+    pub textures: Option<Textures>,
     /// The tables before rounding.
     pub exact: Exact,
     /// What the conversion changes.
@@ -271,7 +209,12 @@ impl Model {
         }
         let statements = source::statements(source::text(path, bytes)?);
         let mut checked = validate::check(path, &statements, options.contents)?;
-        let mut libraries = libraries::load(path, &checked, options.contents);
+        let pictures = match options.textures {
+            None => Pictures::LeftOut,
+            Some(_) if checked.textured_corners == 0 => Pictures::Unplaced,
+            Some(_) => Pictures::Kept,
+        };
+        let mut libraries = libraries::load(path, &checked, options.contents, pictures);
         let mut polygons = polygons::read(path, &checked, &libraries)?;
         at_most_16_bits(path, polygons.positions.len())?;
 
@@ -287,12 +230,36 @@ impl Model {
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         // The largest of what is no longer needed: of a million triangles 200 MB.
         let all = std::mem::take(&mut polygons.corners);
+        let file_textures = faces::texture_coordinates(&all, checked.textured_corners);
         let rings = all.into_iter().map(|corner| corner.position).collect();
         checked.text = String::new();
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
-        let materials = sort_by_material(&mut corners, &polygons.colors);
+        let used = sort_by_material(&mut corners);
+        let loaded = match options.textures.filter(|_| pictures == Pictures::Kept) {
+            None => None,
+            Some(textures) => {
+                let wanted: Vec<_> = used.iter().map(|&(id, _)| libraries.wanted(id)).collect();
+                textures::load(path, &wanted, &textures, &mut checked.warnings)?
+            }
+        };
+        let mut options = options.clone();
+        if let Some(loaded) = &loaded {
+            if let Some((line, word)) = checked.broken_texture {
+                let fault = LineFault::NotFinite { word };
+                return Err(ModelError::Line { path: path.into(), line, fault });
+            }
+            options.contents.texture_coordinates = true;
+            for (&(id, _), mean) in used.iter().zip(&loaded.means) {
+                let takes_mean = |m: &libraries::Material| m.takes_mean;
+                if libraries.materials.get(id).is_some_and(takes_mean) {
+                    polygons.colors[id] = mean.unwrap_or(polygons.colors[id]);
+                }
+            }
+        }
+        let materials: Vec<Material> =
+            used.iter().map(|&(id, count)| Material::new(polygons.colors[id], count)).collect();
         if !options.smoothing_groups {
             corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
         }
@@ -310,8 +277,19 @@ impl Model {
         };
         let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
-        let lines = &checked.face_lines;
-        let faces = Faces::new(&polygons, rings, &whole, &fitted, lines, &tables.welded.positions);
+        let used: Vec<usize> = used.iter().map(|&(id, _)| id).collect();
+        let faces = Faces {
+            texture_coordinates: file_textures,
+            ..Faces::new(
+                &polygons,
+                &used,
+                rings,
+                &whole,
+                &fitted,
+                &checked.face_lines,
+                &tables.welded.positions,
+            )
+        };
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
         let rounding = flattening::Rounding {
@@ -326,11 +304,11 @@ impl Model {
             faces,
             ..exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?
         };
+        let textures = loaded.as_ref().map(|loaded| &loaded.textures);
+        let repeats = textures.is_none_or(|textures| textures.wrap[0] == TextureWrap::Repeat);
         let texture_coordinates;
-        (texture_coordinates, exact.texture_coordinates) = {
-            let repeats = vec![[true; 2]; exact.texture_coordinates.len()];
-            texture_coordinates::quantized(path, exact.texture_coordinates, triangles, &repeats)?
-        };
+        (texture_coordinates, exact.texture_coordinates) =
+            texture_coordinates::quantized(path, exact.texture_coordinates, triangles, repeats)?;
         let some_without = checked.textured_corners < checked.corners;
         if options.contents.texture_coordinates && some_without {
             checked.warnings.push(format!(
@@ -341,12 +319,15 @@ impl Model {
             ));
         }
 
+        let (textures, files) = loaded.map_or((None, Vec::new()), |l| (Some(l.textures), l.files));
+        let pictures = (textures.iter().flat_map(|textures| &textures.textures))
+            .map(|texture| texture.path.clone())
+            .collect();
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let mut model = Self {
             name: emit::static_name(options.name.as_deref().unwrap_or(&stem)),
-            options: options.clone(),
-            provenance: [vec![Provenance::of(path, bytes)], libraries.files].concat(),
-            inputs: [vec![path.into()], libraries.paths].concat(),
+            provenance: [vec![Provenance::of(path, bytes)], libraries.files, files].concat(),
+            inputs: [vec![path.into()], libraries.paths, pictures].concat(),
             vertex_normals: exact.vertex_normals.iter().map(|&n| quantize::normal(n)).collect(),
             face_normals: exact.face_normals.iter().map(|&n| quantize::normal(n)).collect(),
             triangles: Indices::new(&tables.welded.triangles, positions.len()),
@@ -355,6 +336,7 @@ impl Model {
             offset: fitted.offset,
             texture_coordinates,
             materials,
+            textures,
             exact,
             report: Report {
                 file_vertices: checked.vertices,
@@ -367,6 +349,7 @@ impl Model {
                 cache_misses: tables.cache_misses,
                 ..Report::default()
             },
+            options,
             warnings: checked.warnings,
         };
         model.warnings.append(&mut libraries.warnings);
@@ -426,6 +409,7 @@ impl Model {
                 Indices::U16(triangles) => size_of_val(&triangles[..]),
             },
             materials: size_of_val(&self.materials[..]),
+            textures: self.textures.as_ref().map_or(0, Textures::bytes),
         };
     }
 }
@@ -439,21 +423,19 @@ fn at_most_16_bits(path: &Path, count: usize) -> Result<(), ModelError> {
 }
 
 /// Sorts triangles by material, in the order in which materials are first used, and lists the
-/// materials used.
-fn sort_by_material(triangles: &mut [Triangle], colors: &[[u8; 3]]) -> Vec<Material> {
-    let mut used: Vec<usize> = Vec::new();
-    let mut rank = vec![usize::MAX; colors.len()];
-    let mut materials: Vec<Material> = Vec::new();
+/// materials used, with the number of triangles of each.
+fn sort_by_material(triangles: &mut [Triangle]) -> Vec<(usize, u32)> {
+    let mut used: Vec<(usize, u32)> = Vec::new();
+    let mut ranks = HashMap::new();
     for &Triangle { material, .. } in &*triangles {
-        if rank[material] == usize::MAX {
-            rank[material] = used.len();
-            used.push(material);
-            materials.push(Material::new(colors[material], 0));
-        }
-        materials[rank[material]].triangle_count += 1;
+        let rank = *ranks.entry(material).or_insert_with(|| {
+            used.push((material, 0));
+            used.len() - 1
+        });
+        used[rank].1 += 1;
     }
-    triangles.sort_by_key(|triangle| rank[triangle.material]);
-    materials
+    triangles.sort_by_key(|triangle| ranks[&triangle.material]);
+    used
 }
 
 /// The unrounded tables that `contents` asks for.

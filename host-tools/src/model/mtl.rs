@@ -6,6 +6,7 @@ use std::path::Path;
 
 use super::{
     source::{self, Statement},
+    texture_map::TextureMap,
     warnings::Tally,
 };
 
@@ -17,8 +18,8 @@ pub(super) struct Definition {
     pub line: usize,
     /// Its last valid `Kd` and the line of that.
     pub color: Option<([f64; 3], usize)>,
-    /// The line of its texture, `map_Kd`.
-    pub texture: Option<usize>,
+    /// Its texture, the last `map_Kd`.
+    pub texture: Option<TextureMap>,
     /// Whether it shines by itself, by `Ke`.
     pub is_emissive: bool,
     /// The opacity by `d` and the line of that.
@@ -48,6 +49,12 @@ impl Definition {
         let is_black = r.max(g).max(b) <= 0.0 && (self.texture.is_some() || self.is_emissive);
         is_black.then_some(line)
     }
+
+    /// The line of its `Kd` if that is no grey, and there is a texture.
+    pub(super) fn tint_line(&self) -> Option<usize> {
+        let ([r, g, b], line) = self.color?;
+        (self.texture.is_some() && (r, g) != (g, b)).then_some(line)
+    }
 }
 
 /// The faults of all libraries.
@@ -56,6 +63,7 @@ pub(super) struct Faults {
     nameless: Tally,
     early: Tally,
     color: Tally,
+    option: Tally,
 }
 
 impl Faults {
@@ -67,6 +75,10 @@ impl Faults {
         ] {
             tally.warn(warnings, |tally| format!("{fault}: {}", tally.ignored()));
         }
+        self.option.warn(warnings, |tally| {
+            let options = tally.counted("option", "options");
+            format!("{options} of `map_Kd` without effect here: {}: ignored", tally.examples())
+        });
     }
 }
 
@@ -101,7 +113,10 @@ pub(super) fn definitions(path: &Path, text: &[u8], faults: &mut Faults) -> Vec<
             b"Ke" => material.is_emissive = color(&statement).is_some_and(|c| c != [0.0; 3]),
             b"d" => material.dissolve = last_number(&statement).map(|d| (d, line)),
             b"Tr" => material.transparency = last_number(&statement).map(|tr| (tr, line)),
-            b"map_Kd" if has_arguments => material.texture = Some(line),
+            b"map_Kd" => {
+                let ignore = |option: &[u8]| faults.option.add_word(path, line, option);
+                material.texture = TextureMap::read(&statement, ignore).or(material.texture.take());
+            }
             b"map_d" if has_arguments => material.opacity_texture = Some(line),
             _ => {}
         }

@@ -41,7 +41,8 @@ pub(super) struct Corner {
     pub position: u32,
     /// Its normal in the file, of any length; 0 without one.
     pub normal: Vector,
-    /// Its texture coordinates as in the file, v running upwards.
+    /// Its texture coordinates, v running upwards: those of the file, placed as the material's
+    /// texture wants them.
     pub texture: [f64; 2],
 }
 
@@ -63,14 +64,17 @@ pub(super) fn read(
 
     let mut polygons = Polygons {
         // The last one is for faces without a material.
-        colors: [&libraries.colors[..], &[libraries::DEFAULT_COLOR]].concat(),
+        colors: (libraries.materials.iter().map(|material| material.color))
+            .chain([libraries::DEFAULT_COLOR])
+            .collect(),
         ..Polygons::default()
     };
     let mut known = HashMap::new();
     // `tobj` keeps the order of faces, and knows no smoothing groups.
     let mut smoothing = checked.smoothing.iter();
     for tobj::Model { mesh, .. } in &models {
-        let material = mesh.material_id.unwrap_or(libraries.colors.len());
+        let material = mesh.material_id.unwrap_or(libraries.materials.len());
+        let map = libraries.materials.get(material).and_then(|material| material.map.as_ref());
         let mut names: Vec<Option<u32>> = vec![None; mesh.positions.len() / 3];
         for corner in 0..mesh.indices.len() {
             let vertex = mesh.indices[corner];
@@ -84,7 +88,10 @@ pub(super) fn read(
             polygons.corners.push(Corner {
                 position: index,
                 normal: nth(&mesh.normals, mesh.normal_indices[corner]),
-                texture: nth(&mesh.texcoords, mesh.texcoord_indices[corner]),
+                texture: {
+                    let texture = nth(&mesh.texcoords, mesh.texcoord_indices[corner]);
+                    map.map_or(texture, |(map, _)| map.place(texture))
+                },
             });
         }
         // `tobj` leaves the arities out if all faces are triangles.
@@ -118,7 +125,9 @@ mod tests {
         let statements = statements(text.as_bytes());
         let checked = validate::check(path, &statements, Contents::default()).unwrap();
         let libraries = Libraries {
-            colors: vec![[255, 0, 0], [0, 0, 255]],
+            materials: [[255, 0, 0], [0, 0, 255]]
+                .map(|color| libraries::Material { color, ..Default::default() })
+                .into(),
             chosen: vec![Some(1), Some(0), None],
             ..Libraries::default()
         };

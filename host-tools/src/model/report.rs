@@ -55,12 +55,14 @@ pub struct Flash {
     pub triangles: usize,
     /// One `Material` each.
     pub materials: usize,
+    /// Texels, palettes and planes of alpha.
+    pub textures: usize,
 }
 
 impl Flash {
     /// The tables by name.
     #[must_use]
-    pub const fn tables(&self) -> [(&'static str, usize); 6] {
+    pub const fn tables(&self) -> [(&'static str, usize); 7] {
         [
             ("positions", self.positions),
             ("vertex_normals", self.vertex_normals),
@@ -68,6 +70,7 @@ impl Flash {
             ("texture_coordinates", self.texture_coordinates),
             ("triangles", self.triangles),
             ("materials", self.materials),
+            ("textures", self.textures),
         ]
     }
 
@@ -134,7 +137,8 @@ impl fmt::Display for Report {
             self.cache_misses, self.cache_misses_before
         )?;
         writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
-        for (name, bytes) in self.flash.tables() {
+        let is_shown = |&(name, bytes): &(&str, usize)| name != "textures" || bytes > 0;
+        for (name, bytes) in self.flash.tables().into_iter().filter(is_shown) {
             writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;
         }
         Ok(())

@@ -115,7 +115,7 @@ fn first_word(text: &[u8]) -> Option<&[u8]> {
 /// Whether the whole line after the keyword is a name. It may have a `#` ("Material #25" is a
 /// common one), so it keeps what looks like a comment.
 fn has_name(keyword: &[u8]) -> bool {
-    matches!(keyword, b"mtllib" | b"newmtl" | b"usemtl")
+    matches!(keyword, b"mtllib" | b"newmtl" | b"usemtl" | b"map_Kd")
 }
 
 /// Whether a statement whose line is `part` and then `\` goes on in the next line.

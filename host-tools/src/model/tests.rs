@@ -13,6 +13,7 @@ mod large;
 mod reading;
 mod shipped;
 mod smoothing;
+mod textures;
 mod winding;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
@@ -395,11 +396,15 @@ fn parsed(source: &str, name: &str) -> Vec<i64> {
     let Some((_, table)) = source.split_once(&format!("static {name}: ")) else {
         return Vec::new();
     };
-    let table = table.split_once("= [").unwrap().1.split_once("];").unwrap().0;
+    // `[...];` or `colors([...]);`
+    let table = table.split_once("= ").unwrap().1.split_once("\n    ]").unwrap().0;
+    let number = |text: &str| match text.strip_prefix("0x") {
+        Some(digits) => i64::from_str_radix(digits, 16).ok(),
+        None => text.parse().ok(),
+    };
     table
-        .split(|c: char| !c.is_ascii_digit() && c != '-' && c != '_')
-        .map(|number| number.replace('_', ""))
-        .filter_map(|number| number.parse().ok())
+        .split(|c: char| !c.is_ascii_alphanumeric() && c != '-' && c != '_')
+        .filter_map(|text| number(&text.replace('_', "")))
         .collect()
 }
 

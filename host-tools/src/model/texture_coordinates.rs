@@ -72,38 +72,32 @@ pub(super) fn turned(textures: &[[f64; 2]]) -> Vec<[f64; 2]> {
 ///
 /// If they don't fit 16 bits as they are, each part of the mesh that shares no vertex with others
 /// is moved by the whole repeats that bring its middle nearest to 0, where a texture repeats: that
-/// changes nothing that is seen. `repeats` tells it for each vertex and axis.
+/// changes nothing that is seen. `repeats` tells whether it does.
 pub(super) fn quantized(
     path: &Path,
     turned: Vec<[f64; 2]>,
     triangles: &[[u32; 3]],
-    repeats: &[[bool; 2]],
+    repeats: bool,
 ) -> Result<(TextureTable, Vec<[f64; 2]>), ModelError> {
-    let exact = if q14(&turned).is_some() { turned } else { moved(turned, triangles, repeats) };
+    let stays = !repeats || q14(&turned).is_some();
+    let exact = if stays { turned } else { moved(turned, triangles) };
     Ok((TextureTable::new(path, &exact)?, exact))
 }
 
 /// Moves each part by whole repeats, so that it fits -2 to 2 - 2^-14 if any move makes it.
-fn moved(
-    mut turned: Vec<[f64; 2]>,
-    triangles: &[[u32; 3]],
-    repeats: &[[bool; 2]],
-) -> Vec<[f64; 2]> {
+fn moved(mut turned: Vec<[f64; 2]>, triangles: &[[u32; 3]]) -> Vec<[f64; 2]> {
     let part = parts(triangles, turned.len());
     for axis in 0..2 {
-        let mut ranges = vec![Some([f64::INFINITY, f64::NEG_INFINITY]); turned.len()];
-        for (vertex, c) in turned.iter().enumerate() {
-            let range = &mut ranges[part[vertex]];
-            *range = range
-                .filter(|_| repeats[vertex][axis])
-                .map(|[low, high]| [low.min(c[axis]), high.max(c[axis])]);
+        let mut ranges = vec![[f64::INFINITY, f64::NEG_INFINITY]; turned.len()];
+        for (c, &part) in turned.iter().zip(&part) {
+            let [low, high] = ranges[part];
+            ranges[part] = [low.min(c[axis]), high.max(c[axis])];
         }
-        for (vertex, c) in turned.iter_mut().enumerate() {
-            if let Some([low, high]) = ranges[part[vertex]] {
-                // The moves that fit are an interval. If any of them is whole, the one nearest to
-                // its middle is.
-                c[axis] -= ((low + high + 2_f64.powi(-14)) / 2.0).round();
-            }
+        for (c, &part) in turned.iter_mut().zip(&part) {
+            // The moves that fit are an interval. If any of them is whole, the one nearest to its
+            // middle is.
+            let [low, high] = ranges[part];
+            c[axis] -= ((low + high + 2_f64.powi(-14)) / 2.0).round();
         }
     }
     turned
@@ -134,16 +128,15 @@ mod tests {
 
     const FAN: [[u32; 3]; 2] = [[0, 1, 2], [3, 5, 4]];
 
-    fn table(turned: &[[f64; 2]], repeats: [bool; 2]) -> Result<TextureTable, ModelError> {
-        let repeats = vec![repeats; turned.len()];
-        quantized(Path::new("m.obj"), turned.to_vec(), &FAN, &repeats).map(|(table, _)| table)
+    fn table(turned: &[[f64; 2]], repeats: bool) -> Result<TextureTable, ModelError> {
+        quantized(Path::new("m.obj"), turned.to_vec(), &FAN, repeats).map(|(table, _)| table)
     }
 
     #[test]
     fn coordinates_that_fit_stay_where_they_are() {
         let turned =
             turned(&[[-2.0, 3.0], [0.5, 0.25], [1.999_9, 2.0], [0.0; 2], [0.0; 2], [0.0; 2]]);
-        let TextureTable::I16(table) = table(&turned, [true; 2]).unwrap() else { panic!() };
+        let TextureTable::I16(table) = table(&turned, true).unwrap() else { panic!() };
         assert_eq!(table[..3], [[-32_768, -32_768], [8_192, 12_288], [32_766, -16_384]]);
     }
 
@@ -152,7 +145,7 @@ mod tests {
         // The first part is 3 repeats wide and far out, the second fits and moves all the same.
         let turned =
             [[40.0, 0.25], [43.0, 0.0], [41.5, 0.0], [1.25, 0.5], [1.75, -0.5], [1.5, 0.0]];
-        let TextureTable::I16(table) = table(&turned, [true; 2]).unwrap() else { panic!() };
+        let TextureTable::I16(table) = table(&turned, true).unwrap() else { panic!() };
         assert_eq!(table[..3], [[-32_768, 4_096], [16_384, 0], [-8_192, 0]]);
         assert_eq!(table[3..], [[-12_288, 8_192], [-4_096, -8_192], [-8_192, 0]]);
     }
@@ -160,18 +153,14 @@ mod tests {
     #[test]
     fn nothing_moves_where_a_texture_ends() {
         let turned = [[40.0, 2.0], [40.5, 2.5], [40.0, 2.0], [0.0; 2], [0.0; 2], [0.0; 2]];
-        let TextureTable::I32(table) = table(&turned, [false, true]).unwrap() else { panic!() };
-        assert_eq!(table[..2], [[40 << 24, 0], [81 << 23, 1 << 23]]);
-        // One vertex on a texture that ends holds its whole part.
-        let repeats = [[true; 2], [true, false], [true; 2], [true; 2], [true; 2], [true; 2]];
-        let (_, exact) = quantized(Path::new("m.obj"), turned.to_vec(), &FAN, &repeats).unwrap();
-        assert_eq!(exact[..2], [[0.0, 2.0], [0.5, 2.5]]);
+        let TextureTable::I32(table) = table(&turned, false).unwrap() else { panic!() };
+        assert_eq!(table[..2], [[40 << 24, 2 << 24], [81 << 23, 5 << 23]]);
     }
 
     #[test]
     fn wide_parts_take_32_bits_up_to_64_repeats() {
         let wide = |low: f64, high: f64| {
-            table(&[[low, 0.0], [high, 0.0], [low, 0.0], [0.0; 2], [0.0; 2], [0.0; 2]], [true; 2])
+            table(&[[low, 0.0], [high, 0.0], [low, 0.0], [0.0; 2], [0.0; 2], [0.0; 2]], true)
         };
         // 4 repeats less a step fit 16 bits, if they begin at a whole one.
         assert!(matches!(wide(7.0, 11.0 - 2_f64.powi(-14)), Ok(TextureTable::I16(_))));

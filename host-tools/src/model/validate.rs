@@ -48,6 +48,9 @@ pub(super) struct Checked {
     pub corners: usize,
     /// How many of the corners have texture coordinates.
     pub textured_corners: usize,
+    /// The first line with texture coordinates that are not finite and that a face uses, and the
+    /// word, if the contents have no texture coordinates.
+    pub broken_texture: Option<(usize, String)>,
     /// What the conversion ignores.
     pub warnings: Vec<String>,
 }
@@ -129,6 +132,9 @@ pub(super) fn check(
     if checked.faces == 0 {
         return Err(ModelError::NoFaces { path: path.into() });
     }
+    let textured = Contents { texture_coordinates: true, ..contents };
+    checked.broken_texture =
+        unused.first_used(&faces, textured).map(|(line, word)| (line, quote(word)));
     unused.warn(path, &mut checked.warnings);
     ignored.warn(&mut checked.warnings);
     let [v, vt, vn] = tables;

@@ -123,6 +123,14 @@ impl<'a, S, F, M, C> Skin<'a, S, F, M, C> {
         Self { first: &textures[0], all: textures, choices: PhantomData }
     }
 
+    /// With textures whose number is known at run time; `None` without any.
+    pub(super) const fn from_slice(textures: &'a [S]) -> Option<Self> {
+        match textures {
+            [] => None,
+            [first, ..] => Some(Self { first, all: textures, choices: PhantomData }),
+        }
+    }
+
     /// The same textures by other choices.
     pub(super) const fn chosen<G, N, D>(self) -> Skin<'a, S, G, N, D> {
         Skin { first: self.first, all: self.all, choices: PhantomData }

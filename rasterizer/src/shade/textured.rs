@@ -52,6 +52,15 @@ impl<'a, S> Textured<'a, S> {
     pub const fn new<const N: usize>(textures: &'a [S; N]) -> Self {
         Self(Skin::new(textures))
     }
+
+    /// The same with textures whose number is known at run time; `None` without any.
+    #[must_use]
+    pub const fn from_slice(textures: &'a [S]) -> Option<Self> {
+        match Skin::from_slice(textures) {
+            Some(skin) => Some(Self(skin)),
+            None => None,
+        }
+    }
 }
 
 impl<'a, S, F, M, C> Textured<'a, S, F, M, C> {

@@ -38,6 +38,15 @@ impl<'a, S> TexturedFlat<'a, S> {
     pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
         Self { skin: Skin::new(textures), light }
     }
+
+    /// The same with textures whose number is known at run time; `None` without any.
+    #[must_use]
+    pub const fn from_slice(textures: &'a [S], light: Light) -> Option<Self> {
+        match Skin::from_slice(textures) {
+            Some(skin) => Some(Self { skin, light }),
+            None => None,
+        }
+    }
 }
 
 impl<'a, S, F, M, C> TexturedFlat<'a, S, F, M, C> {

@@ -38,6 +38,15 @@ impl<'a, S> TexturedGouraud<'a, S> {
     pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
         Self { skin: Skin::new(textures), light, level: PhantomData }
     }
+
+    /// The same with textures whose number is known at run time; `None` without any.
+    #[must_use]
+    pub const fn from_slice(textures: &'a [S], light: Light) -> Option<Self> {
+        match Skin::from_slice(textures) {
+            Some(skin) => Some(Self { skin, light, level: PhantomData }),
+            None => None,
+        }
+    }
 }
 
 impl<'a, S, F, M, C, L> TexturedGouraud<'a, S, F, M, C, L> {
