@@ -1,6 +1,6 @@
 //! Differences, in numbers.
 
-use super::{FixedPicture, Places};
+use super::{FixedPicture, Places, Texels};
 use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
@@ -31,6 +31,9 @@ pub struct Comparison {
     /// Of the vertices.
     #[cfg_attr(feature = "cli", serde(flatten))]
     pub vertices: Vertices,
+    /// Of the texture coordinates, on the core's own vertices; `None` without a texture.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub texels: Option<Texels>,
     /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
     /// How long the reference takes on this machine, in milliseconds.
@@ -115,16 +118,18 @@ impl Vertices {
 }
 
 impl Comparison {
-    /// Whether the picture keeps the bounds, and each vertex its own.
+    /// Whether the picture keeps the bounds, and each vertex and each texture coordinate its own.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
-        self.deviation.is_within(bounds) && self.vertices.are_within()
+        self.deviation.is_within(bounds)
+            && self.vertices.are_within()
+            && self.texels.is_none_or(|texels| texels.are_within())
     }
 }
 
 impl Outcome {
-    /// Whether the arithmetic keeps its bounds, each vertex its own, and no pixel is wrong by its
-    /// place.
+    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, and no
+    /// pixel is wrong by its place.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.arithmetic.is_within(bounds)

@@ -9,12 +9,13 @@ use rasterizer::{
     camera::Camera,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
+    output::StoredColor,
     scene::Object,
     shade::{OnScreen, Shader},
 };
 
 use super::{
-    DefinedDepth, DepthFormat,
+    DefinedDepth, DepthFormat, Texels,
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
     view::{Projection, Subpixel, View, ViewError},
@@ -32,8 +33,9 @@ pub(super) struct Drawn<'a> {
     pub(super) vertices: Vec<Option<[f64; 2]>>,
     /// How long the core takes for vertices and triangles.
     pub(super) time: Duration,
-    /// Draws the reference on the core's own vertices, with depth from 0 to 1.
-    pub(super) arithmetic: Box<dyn FnOnce() -> Picture + 'a>,
+    /// Draws the reference on the core's own vertices, with depth from 0 to 1, and judges texture
+    /// coordinates. It is given the core's picture, because some pixels have several right colours.
+    pub(super) arithmetic: Box<dyn FnOnce(&FixedPicture) -> (Picture, Option<Texels>) + 'a>,
     /// Draws the reference from the faces of the OBJ file, with depth from 0 to 1.
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
@@ -52,45 +54,72 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
     exact: impl Fn(Corner) -> [f64; N] + 'a,
     shade_exact: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Placed { picture, triangles, vertices, time } = match view.projection {
+    let Placed { picture, triangles, vertices, time, .. } = place(model, view, shader, placed)?;
+    let size = view.size.map(|c| c as usize).into();
+    Ok(Drawn {
+        picture,
+        vertices,
+        time,
+        arithmetic: Box::new(move |_| (reference::draw_screen(&triangles, size, shade), None)),
+        end_to_end: end_to_end((model, surface), view, exact, shade_exact),
+    })
+}
+
+/// Draws the reference from the faces of the OBJ file.
+pub(super) fn end_to_end<'a, const N: usize>(
+    (model, surface): (&'a Model, &'a Surface),
+    view: &View,
+    varyings: impl Fn(Corner) -> [f64; N] + 'a,
+    shade: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
+) -> Box<dyn FnOnce() -> Picture + 'a> {
+    let view = view.rounded();
+    Box::new(move || {
+        let (camera, mesh) = (view.reference_camera(), surface.mesh(model, &view));
+        let size = view.size.map(|c| c as usize).into();
+        reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, varyings, shade)
+    })
+}
+
+/// A frame by the core, and its triangles on the screen.
+pub(super) struct Placed<const N: usize, C> {
+    pub(super) picture: FixedPicture,
+    pub(super) triangles: Vec<ScreenTriangle<N>>,
+    pub(super) vertices: Vec<Option<[f64; 2]>>,
+    pub(super) time: Duration,
+    /// The colours of the picture, row by row.
+    pub(super) colors: Vec<C>,
+}
+
+/// Draws a model by the core. `placed` returns the reference's varyings of a corner.
+pub(super) fn place<const N: usize, Sh: Shader<Color: ShownColor>>(
+    model: &Model,
+    view: &View,
+    shader: &Sh,
+    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+) -> Result<Placed<N, Sh::Color>, ViewError> {
+    match view.projection {
         Projection::Perspective { field_of_view_degrees } => {
             by_camera(model, view, &view.perspective(field_of_view_degrees)?, shader, placed)
         }
         Projection::Orthographic { height } => {
             by_camera(model, view, &view.orthographic(height)?, shader, placed)
         }
-    }?;
-    let view = view.rounded();
-    let size = view.size.map(|c| c as usize).into();
-    Ok(Drawn {
-        picture,
-        vertices,
-        time,
-        arithmetic: Box::new(move || reference::draw_screen(&triangles, size, shade)),
-        end_to_end: Box::new(move || {
-            let (camera, mesh) = (view.reference_camera(), surface.mesh(model, &view));
-            let back = reference::Culling::Back;
-            reference::draw_scene(&camera, &mesh, back, size, exact, shade_exact)
-        }),
-    })
+    }
 }
 
-/// A frame by the core, and its triangles on the screen.
-struct Placed<const N: usize> {
-    picture: FixedPicture,
-    triangles: Vec<ScreenTriangle<N>>,
-    vertices: Vec<Option<[f64; 2]>>,
-    time: Duration,
-}
+/// A colour type of pictures that can be compared.
+pub(super) trait ShownColor: StoredColor + From<Rgb888> + Into<Rgb888> {}
+
+impl<C: StoredColor + From<Rgb888> + Into<Rgb888>> ShownColor for C {}
 
 /// Draws in one of the pairs of precision and depth that a view can have.
-fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color = Rgb888>>(
+fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color: ShownColor>>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
     shader: &Sh,
     placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
-) -> Result<Placed<N>, ViewError> {
+) -> Result<Placed<N, Sh::Color>, ViewError> {
     match (view.subpixel, view.depth) {
         (Subpixel::S4, DepthFormat::U16) => {
             by_format::<N, S4, u16, _, _>(model, view, camera, shader, placed)
@@ -119,12 +148,12 @@ fn by_format<const N: usize, S, D, P, Sh>(
     camera: &Camera<P>,
     shader: &Sh,
     placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
-) -> Result<Placed<N>, ViewError>
+) -> Result<Placed<N, Sh::Color>, ViewError>
 where
     S: numbers::Subpixel,
     D: DefinedDepth,
     P: geometry::Projection,
-    Sh: Shader<Color = Rgb888>,
+    Sh: Shader<Color: ShownColor>,
 {
     let mesh = model.mesh();
     let object = Object::new(&mesh, shader.clone()).posed(view.pose());
@@ -132,11 +161,17 @@ where
     let start = Instant::now();
     let projected = object.project(camera, &mut storage)?;
     let projecting = start.elapsed();
-    let (picture, drawing) = object::draw(&projected, view.area())?;
+    let drawn = object::draw_colors(&projected, view.area())?;
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
         (corner.depth().depth(), placed(triangle, corner.varyings()))
     });
     let vertices =
         projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
-    Ok(Placed { picture, triangles, vertices, time: projecting + drawing })
+    Ok(Placed {
+        picture: drawn.picture(view.area()),
+        triangles,
+        vertices,
+        time: projecting + drawn.time,
+        colors: drawn.color,
+    })
 }

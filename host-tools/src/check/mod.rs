@@ -18,30 +18,43 @@
 //! [`check`] compares a model in a view, [`Checker`] in several. [`judge`] compares any object of
 //! the core, with any shader, against a definition of that shader.
 
+mod any_mode;
+mod any_texture;
 mod compare;
+mod coordinates;
+mod correction;
 mod depth;
+mod filter;
 mod fixed;
 mod object;
 mod placement;
 mod places;
+mod probe;
 mod shading;
+mod skins;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod textured;
 mod view;
 
 use std::time::{Duration, Instant};
 
 pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome, VertexError, Vertices};
+pub use coordinates::{ExactCoordinate, TexelError, Texels};
+pub use correction::Correction;
 pub use depth::{DefinedDepth, DepthFormat};
+pub use filter::{Filter, Precision, Right, Seen};
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use shading::Shading;
 pub use view::{Projection, Subpixel, View, ViewError};
 
 use crate::{model::Model, reference};
+use fixed::Drawn;
 use placement::Placement;
-use places::Judge;
+use places::{FaceColors, Judge};
+use skins::Skins;
 use surface::Surface;
 
 /// One frame drawn both ways, with the pictures.
@@ -89,13 +102,15 @@ impl Checked {
 pub struct Checker<'a> {
     model: &'a Model,
     surface: Surface,
+    skins: Skins,
 }
 
 impl<'a> Checker<'a> {
     /// Prepares the comparisons: cuts the faces of the file into triangles, apart from the tables.
     #[must_use]
     pub fn new(model: &'a Model) -> Self {
-        Self { model, surface: Surface::of(model) }
+        let surface = Surface::of(model);
+        Self { model, skins: Skins::new(model, &surface, skins::of_materials(model)), surface }
     }
 
     /// Draws a view by the fixed-point core and by the reference, and compares.
@@ -105,9 +120,16 @@ impl<'a> Checker<'a> {
     /// Returns an error if the view's numbers are out of range, or if the core cannot draw the
     /// model in it.
     pub fn check(&self, view: &View) -> Result<Checked, ViewError> {
-        let Self { model, surface } = self;
-        let drawn = shading::draw(model, surface, view)?;
-        let (arithmetic, arithmetic_time) = timed(drawn.arithmetic);
+        let drawn = shading::draw(self.model, &self.surface, &self.skins, view)?;
+        let colors = shading::colors(self.model, &self.surface, &self.skins, &view.rounded());
+        Ok(self.compare(view, drawn, &colors))
+    }
+
+    /// Draws the reference of a view that the core has drawn, and compares. `colors` are
+    /// those that each face may have; `None` for one with holes.
+    fn compare(&self, view: &View, drawn: Drawn<'_>, colors: &[Option<FaceColors>]) -> Checked {
+        let Self { model, surface, .. } = self;
+        let ((arithmetic, texels), arithmetic_time) = timed(|| (drawn.arithmetic)(&drawn.picture));
         let (end_to_end, end_to_end_time) = timed(drawn.end_to_end);
 
         let (fixed, depth) = (drawn.picture, view.depth.definition());
@@ -119,9 +141,10 @@ impl<'a> Checker<'a> {
                 (placement.place(p), bound(p))
             })
         };
-        let comparison = |reference, vertices, time| Comparison {
+        let comparison = |reference, vertices, texels, time| Comparison {
             deviation: compare::compare(&fixed, reference, depth),
             vertices,
+            texels,
             fixed_ms: milliseconds(drawn.time),
             reference_ms: milliseconds(time),
         };
@@ -134,17 +157,17 @@ impl<'a> Checker<'a> {
             model,
             surface,
             view: &rounded,
-            levels: &shading::levels(model, surface, &rounded),
+            colors,
             exact: &end_to_end,
             arithmetic: &arithmetic,
         };
         let (places, wrong) = judge.judge(&fixed);
         let outcome = Outcome {
-            arithmetic: comparison(&arithmetic, quantised, arithmetic_time),
-            end_to_end: comparison(&end_to_end, exact, end_to_end_time),
+            arithmetic: comparison(&arithmetic, quantised, texels, arithmetic_time),
+            end_to_end: comparison(&end_to_end, exact, None, end_to_end_time),
             places,
         };
-        Ok(Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth })
+        Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth }
     }
 }
 
@@ -166,7 +189,9 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
 /// it.
 pub fn render(model: &Model, view: &View) -> Result<FixedPicture, ViewError> {
     // The surface is for the reference, which isn't drawn.
-    Ok(shading::draw(model, &Surface::default(), view)?.picture)
+    let surface = Surface::default();
+    let skins = Skins::new(model, &surface, skins::of_materials(model));
+    Ok(shading::draw(model, &surface, &skins, view)?.picture)
 }
 
 /// The exact values of the positions in the tables.

@@ -108,7 +108,7 @@ where
 }
 
 /// Draws a projected object by the core. Returns the picture of `area` and how long drawing takes.
-pub(super) fn draw<V, P, Sh, M, O>(
+fn draw<V, P, Sh, M, O>(
     projected: &Projected<'_, V, P, Sh, M, O>,
     area: Rectangle,
 ) -> Result<(FixedPicture, Duration), FrameError>
@@ -120,20 +120,53 @@ where
     M: Mode,
     O: Order,
 {
+    let drawn = draw_colors(projected, area)?;
+    Ok((drawn.picture(area), drawn.time))
+}
+
+/// What the core has drawn.
+pub(super) struct Drawn<C, D> {
+    /// The colours, row by row.
+    pub(super) color: Vec<C>,
+    depth: Vec<D>,
+    /// How long it takes.
+    pub(super) time: Duration,
+}
+
+impl<C: Copy + Into<Rgb888>, D: DefinedDepth> Drawn<C, D> {
+    /// The picture of the area.
+    pub(super) fn picture(&self, area: Rectangle) -> FixedPicture {
+        let pixel = |(&color, &depth): (&C, &D)| {
+            let color: Rgb888 = color.into();
+            Pixel { color: [color.r(), color.g(), color.b()], depth: depth.into() }
+        };
+        FixedPicture {
+            size: [area.size.width, area.size.height],
+            pixels: self.color.iter().zip(&self.depth).map(pixel).collect(),
+        }
+    }
+}
+
+/// Draws a projected object by the core into the colours of its shader.
+pub(super) fn draw_colors<V, P, Sh, M, O>(
+    projected: &Projected<'_, V, P, Sh, M, O>,
+    area: Rectangle,
+) -> Result<Drawn<Sh::Color, V::Depth>, FrameError>
+where
+    for<'f> M::Blending: Blending<Frame<'f, Sh::Color, &'f mut [V::Depth]>>,
+    V: Vertices<OnScreen<Sh>, Depth: DefinedDepth>,
+    P: Projection,
+    Sh: Shader<Color: StoredColor + From<Rgb888>>,
+    M: Mode,
+    O: Order,
+{
     let pixels = area.size.width as usize * area.size.height as usize;
     let mut color = vec![Sh::Color::from(Rgb888::BLACK); pixels];
     let mut depth = vec![V::Depth::ZERO; pixels];
     let start = Instant::now();
     let mut frame = Frame::new(&mut color, &mut depth, area)?;
     let Ok(()) = projected.draw(&mut frame);
-    let time = start.elapsed();
-
-    let pixel = |(&color, &depth): (&Sh::Color, &V::Depth)| {
-        let color: Rgb888 = color.into();
-        Pixel { color: [color.r(), color.g(), color.b()], depth: depth.into() }
-    };
-    let size = [area.size.width, area.size.height];
-    Ok((FixedPicture { size, pixels: color.iter().zip(&depth).map(pixel).collect() }, time))
+    Ok(Drawn { time: start.elapsed(), color, depth })
 }
 
 /// The triangles that the core draws of a projected object, for the reference.

@@ -14,7 +14,8 @@
 //!
 //! A face that is not flat has no single picture: how it is cut decides. Its outline has one. So
 //! holes are judged as for flat faces; for the rest, edges of the face, and the bound on its depth,
-//! have its deviation from the mean plane on top. A face that crosses itself is not judged.
+//! have its deviation from the mean plane on top. A face that crosses itself is not judged, nor one
+//! whose texture has transparent texels.
 
 use super::{
     object::{FixedPicture, Pixel},
@@ -67,8 +68,15 @@ pub struct Places {
     pub first: Option<Wrong>,
 }
 
-/// The levels of light that a face can have; see [`super::shading`].
-pub(super) type Levels = [f64; 2];
+/// The colours that a face can have; see [`super::shading`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct FaceColors {
+    /// The least and the largest red, green and blue without light: the material's, or those of its
+    /// texture.
+    pub(super) range: [[f64; 3]; 2],
+    /// The levels of light.
+    pub(super) levels: [f64; 2],
+}
 
 /// A colour may be off by half a step in the picture, by half a level of 256, and by half a step of
 /// the material's.
@@ -80,8 +88,8 @@ pub(super) struct Judge<'a> {
     pub(super) surface: &'a Surface,
     /// The view in the core's numbers.
     pub(super) view: &'a View,
-    /// The levels of each face.
-    pub(super) levels: &'a [Levels],
+    /// The colours of each face; `None` for one that has holes, which is not judged.
+    pub(super) colors: &'a [Option<FaceColors>],
     /// The reference from the faces.
     pub(super) exact: &'a Picture,
     /// The reference on the core's own vertices, which knows the triangles.
@@ -91,7 +99,7 @@ pub(super) struct Judge<'a> {
 impl Judge<'_> {
     /// Judges a picture. Also returns all wrong pixels.
     pub(super) fn judge(&self, fixed: &FixedPicture) -> (Places, Vec<Wrong>) {
-        let outlines = Outlines::new(self.model, self.surface, self.view);
+        let outlines = Outlines::new(self);
         let (winding, close_to_silhouette) = outlines.silhouette();
         let close_to_edge = outlines.close_to_edges();
         let faces = 0..self.surface.planes.len();
@@ -144,7 +152,7 @@ impl Judge<'_> {
         let mut fault = Fault::Surface;
         for (face, exact, bound) in fragments {
             if exact + bound >= nearest && (exact - depth).abs() <= bound {
-                if is_colored(pixel.color, self.faces().faces[face].color, self.levels[face]) {
+                if self.colors[face].is_none_or(|colors| colors.contain(pixel.color)) {
                     return None;
                 }
                 fault = Fault::Color;
@@ -154,19 +162,23 @@ impl Judge<'_> {
     }
 }
 
-/// Whether a colour is that of a material at one of the levels.
-fn is_colored(color: [u8; 3], material: [u8; 3], [mut low, mut high]: Levels) -> bool {
-    for (color, material) in color.map(f64::from).into_iter().zip(material.map(f64::from)) {
-        if material == 0.0 {
-            if color > COLOR {
+impl FaceColors {
+    /// Whether a colour is one of the range at one of the levels.
+    fn contain(&self, color: [u8; 3]) -> bool {
+        let [mut low, mut high] = self.levels;
+        let [least, most] = self.range;
+        for (channel, color) in color.map(f64::from).into_iter().enumerate() {
+            if most[channel] > 0.0 {
+                low = low.max((color - COLOR) / most[channel]);
+            } else if color > COLOR {
                 return false;
             }
-        } else {
-            low = low.max((color - COLOR) / material);
-            high = high.min((color + COLOR) / material);
+            if least[channel] > 0.0 {
+                high = high.min((color + COLOR) / least[channel]);
+            }
         }
+        low <= high
     }
-    low <= high
 }
 
 /// The faces in a view.
@@ -179,11 +191,13 @@ struct Outlines<'a> {
     points: Vec<[f64; 3]>,
     /// The mean planes in view space.
     planes: Vec<Plane>,
+    /// Whether each face has a single picture.
+    is_judged: Vec<bool>,
     size: (usize, usize),
 }
 
 impl<'a> Outlines<'a> {
-    fn new(model: &'a Model, surface: &'a Surface, view: &View) -> Self {
+    fn new(&Judge { model, surface, view, colors, .. }: &Judge<'a>) -> Self {
         let camera = view.reference_camera();
         let faces = &model.exact.faces;
         let points: Vec<_> =
@@ -197,7 +211,10 @@ impl<'a> Outlines<'a> {
             .collect();
         let size = view.size.map(|side| side as usize).into();
         let placement = Placement::new(model, view);
-        Self { faces, surface, camera, placement, points, planes, size }
+        let is_judged = (surface.is_simple.iter().zip(colors))
+            .map(|(is_simple, colors)| *is_simple && colors.is_some())
+            .collect();
+        Self { faces, surface, camera, placement, points, planes, is_judged, size }
     }
 
     fn corners(&self, face: usize) -> Vec<[f64; 3]> {
@@ -231,7 +248,7 @@ impl<'a> Outlines<'a> {
         let (mut winding, mut close) = (Winding::new(self.size), Pixels::none(self.size));
         let mut times = vec![0; self.surface.edges.len()];
         for (number, face) in self.faces.faces.iter().enumerate() {
-            if !(self.surface.is_simple[number] && self.shows_front(number)) {
+            if !(self.is_judged[number] && self.shows_front(number)) {
                 continue;
             }
             for side in &self.surface.sides[face.corners.clone()] {
@@ -253,14 +270,14 @@ impl<'a> Outlines<'a> {
         (winding.numbers(), close)
     }
 
-    /// The pixels close to any edge, or within a face that has no single picture.
+    /// The pixels close to any edge, or within a face that is not judged.
     fn close_to_edges(&self) -> Pixels {
         let mut close = Pixels::none(self.size);
         for edge in &self.surface.edges {
             self.mark(&mut close, edge.ends.map(|end| self.points[end]), edge.deviation);
         }
         for number in 0..self.faces.faces.len() {
-            if !self.surface.is_simple[number] {
+            if !self.is_judged[number] {
                 self.mark_whole(&mut close, number);
             }
             self.mark_cuts(number, &mut close, None);

@@ -4,12 +4,20 @@
 //! [`Shading::NAMES`], and an arm in [`draw`]. The command line takes its choices from the names.
 
 use embedded_graphics_core::pixelcolor::Rgb888;
-use rasterizer::shade::{Flat, Gouraud, Shader as _, Unlit};
+use rasterizer::{
+    attribute::{Affine, Components, Correction as _},
+    shade::{Flat, Gouraud, Shader as _, Textured, TexturedFlat, TexturedGouraud, Unlit},
+    texture::TextureVarying,
+};
 
 use super::{
+    any_mode::{AnyMode, InAnyMode},
+    any_texture::AnyFilter,
     fixed::{self, Drawn},
-    places::Levels,
+    places::FaceColors,
+    skins::Skins,
     surface::Surface,
+    textured::{self, PlacedCorner},
     view::{View, ViewError},
 };
 use crate::{
@@ -27,12 +35,36 @@ pub enum Shading {
     Gouraud,
     /// The material's colour.
     Unlit,
+    /// The material's texture, without light.
+    Textured,
+    /// The texture, lit by the triangle's normal.
+    TexturedFlat,
+    /// The texture, lit at the vertices and interpolated.
+    TexturedGouraud,
 }
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 3] =
-        [("flat", Self::Flat), ("gouraud", Self::Gouraud), ("unlit", Self::Unlit)];
+    pub const NAMES: [(&'static str, Self); 6] = [
+        ("flat", Self::Flat),
+        ("gouraud", Self::Gouraud),
+        ("unlit", Self::Unlit),
+        ("textured", Self::Textured),
+        ("textured-flat", Self::TexturedFlat),
+        ("textured-gouraud", Self::TexturedGouraud),
+    ];
+
+    /// What a model is drawn with unless another one is chosen: its textures, if it has any.
+    #[must_use]
+    pub const fn of(model: &Model) -> Self {
+        if model.textures.is_some() { Self::TexturedGouraud } else { Self::Gouraud }
+    }
+
+    /// Whether it reads texture coordinates.
+    #[must_use]
+    pub const fn is_textured(self) -> bool {
+        matches!(self, Self::Textured | Self::TexturedFlat | Self::TexturedGouraud)
+    }
 }
 
 /// Steps of interpolated light: as many as a channel of the pictures that are compared has.
@@ -43,6 +75,7 @@ const LEVELS: usize = 256;
 pub(super) fn draw<'a>(
     model: &'a Model,
     surface: &'a Surface,
+    skins: &'a Skins,
     view: &View,
 ) -> Result<Drawn<'a>, ViewError> {
     let (core_light, light) = (View::light(), view.reference_light());
@@ -94,11 +127,128 @@ pub(super) fn draw<'a>(
                 move |sample: Sample<0>| Some(file_color(sample.triangle)),
             )
         }
+        Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
+            draw_textured(model, surface, skins, view)
+        }
     }
 }
 
-/// The levels of light that each face may have, however it is cut into triangles.
-pub(super) fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<Levels> {
+const MATERIALS: &str = "a model has triangles, and these have materials";
+
+/// [`draw`] for shaders with textures.
+fn draw_textured<'a>(
+    model: &'a Model,
+    surface: &'a Surface,
+    skins: &'a Skins,
+    view: &View,
+) -> Result<Drawn<'a>, ViewError> {
+    let (core_light, light) = (View::light(), view.reference_light());
+    let textures = skins.filtered(view.filter);
+    let all = (model, surface, skins);
+    let file_uv = |corner: Corner| {
+        let all = &model.exact.faces.texture_coordinates;
+        all.get(corner.vertex).copied().unwrap_or_default()
+    };
+    match view.shading {
+        Shading::TexturedFlat => {
+            let shader = TexturedFlat::from_slice(&textures, core_light)
+                .expect(MATERIALS)
+                .filtered(AnyFilter)
+                .corrected(AnyMode)
+                .with_wide_coordinates();
+            let turned = Flat::<Rgb888>::new(core_light).for_object(&view.pose());
+            let normals = view.pose_points(&surface.triangle_normals(model));
+            textured::draw(
+                all,
+                view,
+                &shader,
+                |seen| Some(seen.value.uv()),
+                |triangle, corner| {
+                    let level = quantised_level(&turned, model.face_normals[triangle]);
+                    placed_corner(&corner, level)
+                },
+                move |corner| (file_uv(corner), light.level(normals[corner.triangle])),
+            )
+        }
+        Shading::TexturedGouraud => {
+            let shader = TexturedGouraud::from_slice(&textures, core_light)
+                .expect(MATERIALS)
+                .filtered(AnyFilter)
+                .corrected(AnyMode)
+                .with_wide_coordinates();
+            let levels = corner_levels(model, surface, view);
+            textured::draw(
+                all,
+                view,
+                &shader,
+                |(seen, _)| Some(seen.value.uv()),
+                |_, (corner, level)| {
+                    let (level, _) = Affine::parts(&level);
+                    placed_corner(&corner, lit_level(level))
+                },
+                move |corner| (file_uv(corner), levels[corner.vertex][0]),
+            )
+        }
+        _ => {
+            let shader = Textured::from_slice(&textures)
+                .expect(MATERIALS)
+                .filtered(AnyFilter)
+                .corrected(AnyMode)
+                .with_wide_coordinates();
+            textured::draw(
+                all,
+                view,
+                &shader,
+                |seen| Some(seen.value.uv()),
+                |_, corner| placed_corner(&corner, 1.0),
+                move |corner| (file_uv(corner), 1.0),
+            )
+        }
+    }
+}
+
+/// A corner on the screen with a light level.
+pub(super) fn placed_corner<V: Components + TextureVarying>(
+    corner: &InAnyMode<V>,
+    light: f64,
+) -> PlacedCorner {
+    let (coordinates, inverse_w) = AnyMode::parts(corner);
+    PlacedCorner {
+        uv: coordinates.uv().map(|c| f64::from(c) / 2f64.powi(24)),
+        inverse_w: f64::from(inverse_w.to_bits()) / 2f64.powi(32),
+        light,
+    }
+}
+
+/// The level that a varying of textures stands for: 0 and 1 lie in the middle of the first and the
+/// last of 257, in steps of 2^-15.
+fn lit_level(varying: u16) -> f64 {
+    (f64::from(varying) - 64.0) / 32_768.0
+}
+
+/// The colours that each face may have, however it is cut into triangles.
+pub(super) fn colors(
+    model: &Model,
+    surface: &Surface,
+    skins: &Skins,
+    view: &View,
+) -> Vec<Option<FaceColors>> {
+    let levels = levels(model, surface, view);
+    let faces = model.exact.faces.faces.iter();
+    faces
+        .zip(levels)
+        .map(|(face, levels)| {
+            if view.shading.is_textured() {
+                skins.colors(face.material, levels)
+            } else {
+                Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
+            }
+        })
+        .collect()
+}
+
+/// The levels of light that each face may have.
+fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
     let light = view.reference_light();
     let faces = &model.exact.faces;
     let darkest = light.ambient - NORMAL;
@@ -109,14 +259,14 @@ pub(super) fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<Level
         [low - NORMAL, high + NORMAL]
     };
     match view.shading {
-        Shading::Unlit => vec![[1.0, 1.0]; faces.faces.len()],
-        Shading::Gouraud => {
+        Shading::Unlit | Shading::Textured => vec![[1.0, 1.0]; faces.faces.len()],
+        Shading::Gouraud | Shading::TexturedGouraud => {
             let levels = corner_levels(model, surface, view);
             (faces.faces.iter())
                 .map(|face| within(&mut levels[face.corners.clone()].iter().flatten().copied()))
                 .collect()
         }
-        Shading::Flat => (0..faces.faces.len())
+        Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())
             .map(|face| {
                 surface.possible_normals(faces, face).map_or(any, |normals| {
                     within(&mut view.pose_points(&normals).into_iter().map(|n| light.level(n)))

@@ -3,6 +3,9 @@
 
 use std::fs;
 
+mod filter;
+mod textured;
+
 use super::*;
 use crate::{
     model::{Indices, Options},
@@ -81,6 +84,8 @@ const FRONT: View = View {
     subpixel: Subpixel::S8,
     depth: DepthFormat::U16,
     shading: Shading::Unlit,
+    perspective: Correction::Adaptive,
+    filter: Filter::Nearest,
 };
 
 #[track_caller]

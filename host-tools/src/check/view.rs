@@ -13,7 +13,7 @@ use rasterizer::{
     shade::{Level, Light},
 };
 
-use super::{DepthFormat, Shading};
+use super::{Correction, DepthFormat, Filter, Shading};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -77,6 +77,10 @@ pub struct View {
     pub depth: DepthFormat,
     /// How triangles are coloured.
     pub shading: Shading,
+    /// How texture coordinates are interpolated.
+    pub perspective: Correction,
+    /// How a colour is taken from a texture.
+    pub filter: Filter,
 }
 
 impl Default for View {
@@ -94,6 +98,8 @@ impl Default for View {
             subpixel: Subpixel::default(),
             depth: DepthFormat::default(),
             shading: Shading::default(),
+            perspective: Correction::default(),
+            filter: Filter::default(),
         }
     }
 }

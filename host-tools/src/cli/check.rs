@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{Bounds, Checked, Checker, Outcome, View},
+    check::{Bounds, Checked, Checker, Outcome, Shading, View},
     model::Model,
 };
 use serde::Serialize;
@@ -32,7 +32,10 @@ Examples:
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
-                against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic.
+                against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic. Of a texture,
+                each coordinate against the exact one, in texels: within 1/16 texel or 1/256 pixel,
+                and what the steps of --perspective add. Close to the border of a texel, either
+                texel is right; elsewhere one is.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
@@ -116,7 +119,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         allow_directory(directory)?;
     }
     let model = convert::load(path, &arguments.view.conversion())?;
-    let view = arguments.view.view();
+    let view = arguments.view.view(Shading::of(&model));
     let worst = worst_frame(path, &model, &view, frames)?;
     if !worst.checked.outcome.shows_something() {
         output::complain("warning", &render::nothing_seen(path));

@@ -205,6 +205,7 @@ mod tests {
                 psnr_db: None,
             },
             vertices: Vertices::default(),
+            texels: None,
             fixed_ms: 0.0,
             reference_ms: 0.0,
         };

@@ -8,7 +8,7 @@ use clap::{
     builder::{PathBufValueParser, TypedValueParser as _},
 };
 use host_tools::{
-    check::{self, FixedPicture, View, ViewError},
+    check::{self, FixedPicture, Shading, View, ViewError},
     model::Model,
 };
 
@@ -82,7 +82,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         output::allow(&path, output::PNG, overwriting)?;
     }
     let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
-    let (view, frames) = (arguments.view.view(), arguments.view.frames);
+    let (view, frames) = (arguments.view.view(Shading::of(&model)), arguments.view.frames);
 
     let mut is_empty = true;
     let bytes = {

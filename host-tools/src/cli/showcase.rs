@@ -7,7 +7,7 @@ use std::{
 
 use anyhow::{Result, anyhow, bail};
 use host_tools::{
-    check::{Bounds, View},
+    check::{Bounds, Shading, View},
     model::{Options, thousands},
 };
 
@@ -29,7 +29,7 @@ const FRAMES: u32 = 12;
 pub(super) fn run(model: Option<&Path>, force: bool) -> Result<Done> {
     let path = model.map_or_else(shipped_model, |path| Ok(path.into()))?;
     let model = convert::load(&path, &Options::default())?;
-    let view = View::default();
+    let view = View { shading: Shading::of(&model), ..View::default() };
     let picture = image::of_fixed(&render::draw(&path, &model, &view)?, image::BACKGROUND);
     let worst = worst_frame(&path, &model, &view, FRAMES)?;
 

@@ -1,7 +1,7 @@
 //! The comparison as a table and in words.
 
 use host_tools::{
-    check::{Bounds, Comparison, Deviation, Fault, Outcome, VertexError, Wrong},
+    check::{Bounds, Comparison, Deviation, Fault, Outcome, TexelError, VertexError, Wrong},
     model::{Model, thousands},
 };
 
@@ -55,6 +55,15 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     for (title, figure, bound, exact_bound) in rows {
         text += &line(title, [&figure(arithmetic), bound, &figure(end_to_end), exact_bound]);
     }
+    if let Some(texels) = arithmetic.texels {
+        let bound =
+            texels.texel_worst.map_or_else(String::new, |TexelError { bound_texels, .. }| {
+                let verdict = if texels.are_within() { "ok" } else { "FAIL" };
+                format!("{bound_texels:.4} {verdict}")
+            });
+        let most = format!("{:.4}", texels.texel_max_error);
+        text += &line("Texel error at most, texels", [&most, &bound, "", ""]);
+    }
     let judged = thousands(places.judged);
     text += &line("Pixels judged by their place", ["", "", &judged, ""]);
     let wrong = bound(places.wrong as f64, 0.0);
@@ -83,6 +92,17 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
     };
     if let Some(worst) = arithmetic.vertices.out_of_bounds() {
         text += &vertex(worst, "");
+    }
+    if let Some(texels) = arithmetic.texels {
+        if let Some(TexelError { pixel: [x, y], triangle, error_texels, bound_texels }) =
+            texels.out_of_bounds()
+        {
+            text += &format!(
+                "\n  Column {x} of row {y}, triangle {triangle} of the tables: its texture coordinate \
+                 is {error_texels:.4} texels off, and may be {bound_texels:.4}."
+            );
+        }
+        text += &format!("\n  The bound of a texture coordinate: {}.", texels.texel_bound);
     }
     let Deviation { pixels, coverage_mismatches, .. } = end_to_end.deviation;
     let share = 100.0 * coverage_mismatches as f64 / pixels.max(1) as f64;
@@ -141,7 +161,7 @@ pub(super) fn legend(legend: &Legend) -> String {
 #[cfg(test)]
 mod tests {
     use host_tools::{
-        check::{Places, Vertices},
+        check::{Places, Texels, Vertices},
         model::Options,
     };
 
@@ -160,8 +180,13 @@ mod tests {
             vertex_error_max_px: error_px,
             vertex_worst: Some(VertexError { vertex: 2, error_px, bound_px: 0.0024 }),
         };
-        let comparison =
-            Comparison { deviation, vertices: vertices(0.001), fixed_ms: 1.0, reference_ms: 2.0 };
+        let comparison = Comparison {
+            deviation,
+            vertices: vertices(0.001),
+            texels: None,
+            fixed_ms: 1.0,
+            reference_ms: 2.0,
+        };
         Outcome {
             arithmetic: comparison,
             end_to_end: Comparison {
@@ -223,6 +248,32 @@ mod tests {
             assert!(text.contains("4 wrong pixels. The first, column 7 of row 3,"), "{text}");
             assert!(parts.iter().all(|part| text.contains(part)), "{text}");
             assert!(comparisons(&bad, &bounds).contains("0 FAIL"));
+        }
+    }
+
+    #[test]
+    fn texel_errors_have_a_row_a_bound_and_a_place() {
+        let (model, bounds) = (gear(), Bounds::ARITHMETIC);
+        let text = comparisons(&outcome(1.0), &bounds);
+        assert!(!text.contains("Texel"), "{text}");
+        for (error_texels, verdict) in [(0.03, "ok"), (0.25, "FAIL")] {
+            let worst =
+                TexelError { pixel: [7, 3], triangle: 5, error_texels, bound_texels: 0.0625 };
+            let mut outcome = outcome(1.0);
+            outcome.arithmetic.texels = Some(Texels {
+                texel_max_error: error_texels,
+                texel_worst: Some(worst),
+                texel_bound: "1/16 texel",
+            });
+            assert_eq!(outcome.is_within(&bounds), verdict == "ok");
+            let text = comparisons(&outcome, &bounds);
+            let row = text.lines().find(|line| line.starts_with("Texel error at most")).unwrap();
+            assert!(row.contains(&format!("{error_texels:.4}")), "{row}");
+            assert!(row.contains(&format!("0.0625 {verdict}")), "{row}");
+            let text = meaning(&model, &outcome, &bounds);
+            assert!(text.contains("coordinate: 1/16 texel."), "{text}");
+            let names_place = text.contains("Column 7 of row 3, triangle 5 of the tables");
+            assert_eq!(names_place, verdict == "FAIL", "{text}");
         }
     }
 }

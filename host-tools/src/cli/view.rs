@@ -5,12 +5,12 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use host_tools::{
-    check::{DepthFormat, Projection, Shading, Subpixel, View},
+    check::{Correction, DepthFormat, Filter, Projection, Shading, Subpixel, View},
     model::{Model, Options},
 };
 use serde::Serialize;
 
-use super::smoothing::Smoothing;
+use super::{smoothing::Smoothing, textures::TextureArguments};
 
 /// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
@@ -40,13 +40,26 @@ pub(super) struct ViewOptions {
         value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
-    /// How triangles are coloured
+    /// How triangles are coloured [default: textured-gouraud if the model has textures, otherwise
+    /// gouraud]
+    #[arg(long, value_parser = choice(&Shading::NAMES))]
+    shading: Option<Shading>,
+    /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often
+    /// as half a texel needs it
     #[arg(
         long,
-        default_value = name(&Shading::NAMES, View::default().shading),
-        value_parser = choice(&Shading::NAMES)
+        value_name = "MODE",
+        default_value = name(&Correction::NAMES, View::default().perspective),
+        value_parser = choice(&Correction::NAMES)
     )]
-    shading: Shading,
+    perspective: Correction,
+    /// How a colour is taken from a texture; mipmap and trilinear make its mip levels
+    #[arg(
+        long,
+        default_value = name(&Filter::NAMES, View::default().filter),
+        value_parser = choice(&Filter::NAMES)
+    )]
+    filter: Filter,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -132,11 +145,13 @@ pub(super) struct ViewOptions {
         value_parser = clap::value_parser!(u32).range(1..=360)
     )]
     pub(super) frames: u32,
+    #[command(flatten)]
+    textures: TextureArguments,
 }
 
 impl ViewOptions {
-    /// The view of frame 0.
-    pub(super) fn view(&self) -> View {
+    /// The view of frame 0, in the shading `otherwise` unless one is chosen.
+    pub(super) fn view(&self, otherwise: Shading) -> View {
         View {
             size: self.size,
             distance: self.distance,
@@ -152,13 +167,19 @@ impl ViewOptions {
             roll_degrees: self.roll,
             subpixel: self.subpixel,
             depth: self.depth,
-            shading: self.shading,
+            shading: self.shading.unwrap_or(otherwise),
+            perspective: self.perspective,
+            filter: self.filter,
         }
     }
 
     /// The conversion of the model for it.
     pub(super) fn conversion(&self) -> Options {
-        Options { fix_winding: self.fix_winding, ..self.smoothing.options() }
+        let mut textures = self.textures.options();
+        if let Some(textures) = &mut textures {
+            textures.mipmaps |= self.filter.reads_levels();
+        }
+        Options { fix_winding: self.fix_winding, textures, ..self.smoothing.options() }
     }
 }
 
@@ -169,6 +190,8 @@ pub(super) struct Settings {
     subpixel: u32,
     depth: &'static str,
     shading: &'static str,
+    perspective: &'static str,
+    filter: &'static str,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -195,6 +218,8 @@ impl Settings {
             subpixel: view.subpixel.bits(),
             depth: name(&DepthFormat::NAMES, view.depth),
             shading: name(&Shading::NAMES, view.shading),
+            perspective: name(&Correction::NAMES, view.perspective),
+            filter: name(&Filter::NAMES, view.filter),
             distance: view.distance,
             fov,
             height,
@@ -272,14 +297,14 @@ mod tests {
     #[test]
     fn no_options_give_the_library_s_defaults() {
         let options = parse(&[]).unwrap();
-        assert_eq!(options.view(), View::default());
+        assert_eq!(options.view(Shading::default()), View::default());
         assert_eq!(options.conversion(), Options::default());
     }
 
     #[test]
     fn every_option_arrives() {
-        let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --distance 4 \
-                    --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+        let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
+                    every-16 --filter trilinear --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
                     --crease 10 --frames 5";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
@@ -294,8 +319,10 @@ mod tests {
             subpixel: Subpixel::S4,
             depth: DepthFormat::U32,
             shading: Shading::Flat,
+            perspective: Correction::Every16,
+            filter: Filter::Trilinear,
         };
-        assert_eq!(options.view(), expected);
+        assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
         assert_eq!((conversion.crease_degrees, options.frames), (10.0, 5));
         assert!(!conversion.smoothing_groups, "the angle goes before the file's groups");
@@ -316,6 +343,8 @@ mod tests {
             ("--depth", &["u8", "", "U16"]),
             ("--subpixel", &["5", ""]),
             ("--shading", &["phong"]),
+            ("--perspective", &["every-5", "every", ""]),
+            ("--filter", &["linear", "Nearest"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use super::{
     fit::Fitted,
-    polygons::{self, Polygons},
+    polygons::{self, Corner, Polygons},
     vector::Vector,
 };
 
@@ -16,6 +16,8 @@ pub struct Faces {
     pub positions: Vec<[f64; 3]>,
     /// The corners of the faces, one face after the other: indices into `positions`.
     pub corners: Vec<u32>,
+    /// The texture coordinates of the corners, v running down; none if the file has none.
+    pub texture_coordinates: Vec<[f64; 2]>,
     /// The faces in the order of the file.
     pub faces: Vec<Face>,
     /// Which of `positions` each vertex of the tables has.
@@ -29,16 +31,19 @@ pub struct Face {
     pub corners: Range<usize>,
     /// The colour of its material.
     pub color: [u8; 3],
+    /// The number of its material in the tables; 0 if no triangle has it.
+    pub material: usize,
     /// Its line in the file, from 1.
     pub line: usize,
 }
 
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
-    /// are `shape`. `lines` has the line of each, `vertices` the position of each vertex of the
-    /// tables.
+    /// are `shape`. `used` has the materials of the tables, `lines` the line of each face,
+    /// `vertices` the position of each vertex of the tables. Texture coordinates are left out.
     pub(super) fn new(
         polygons: &Polygons,
+        used: &[usize],
         corners: Vec<u32>,
         shape: &[Vector],
         fitted: &Fitted,
@@ -50,13 +55,15 @@ impl Faces {
             .map(|(&polygons::Face { arity, material, .. }, &line)| {
                 let range = start..start + arity;
                 start = range.end;
-                Face { corners: range, color: polygons.colors[material], line }
+                let number = used.iter().position(|&used| used == material).unwrap_or(0);
+                Face { corners: range, color: polygons.colors[material], material: number, line }
             })
             .collect();
         let positions = (polygons.positions.iter().zip(shape))
             .map(|(&original, &shape)| fitted.place(original, shape))
             .collect();
-        Self { positions, corners, faces, vertices: vertices.to_vec() }
+        let (texture_coordinates, vertices) = (Vec::new(), vertices.to_vec());
+        Self { positions, corners, texture_coordinates, faces, vertices }
     }
 
     /// The positions of a face's corners.
@@ -64,4 +71,11 @@ impl Faces {
     pub fn ring(&self, face: &Face) -> Vec<[f64; 3]> {
         self.corners[face.corners.clone()].iter().map(|&i| self.positions[i as usize]).collect()
     }
+}
+
+/// The texture coordinates of corners, v running down; none if the number of those that have any in
+/// the file, `textured`, is 0.
+pub(super) fn texture_coordinates(corners: &[Corner], textured: usize) -> Vec<[f64; 2]> {
+    let turned = |corner: &Corner| [corner.texture[0], 1.0 - corner.texture[1]];
+    if textured == 0 { Vec::new() } else { corners.iter().map(turned).collect() }
 }

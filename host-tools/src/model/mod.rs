@@ -230,6 +230,7 @@ impl Model {
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
         // The largest of what is no longer needed: of a million triangles 200 MB.
         let all = std::mem::take(&mut polygons.corners);
+        let file_textures = faces::texture_coordinates(&all, checked.textured_corners);
         let rings = all.into_iter().map(|corner| corner.position).collect();
         checked.text = String::new();
         if corners.is_empty() {
@@ -276,8 +277,19 @@ impl Model {
         };
         let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
-        let lines = &checked.face_lines;
-        let faces = Faces::new(&polygons, rings, &whole, &fitted, lines, &tables.welded.positions);
+        let used: Vec<usize> = used.iter().map(|&(id, _)| id).collect();
+        let faces = Faces {
+            texture_coordinates: file_textures,
+            ..Faces::new(
+                &polygons,
+                &used,
+                rings,
+                &whole,
+                &fitted,
+                &checked.face_lines,
+                &tables.welded.positions,
+            )
+        };
         let (positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
         let rounding = flattening::Rounding {

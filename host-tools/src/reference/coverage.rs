@@ -76,16 +76,16 @@ pub(super) fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
     Edge::new(a, b, 1.0).value(c)
 }
 
-/// Calls `visit(column, row, weights)` for every pixel of the region whose centre the triangle
-/// covers, row by row. The barycentric weights belong to the corners in their order and sum to 1 up
-/// to rounding.
+/// Calls `visit(pixel, weights, span)` for every pixel (column, row) of the region whose centre the
+/// triangle covers, row by row. The barycentric weights belong to the corners in their order and
+/// sum to 1 up to rounding. The span has the covered columns of the row.
 ///
 /// The winding does not matter. A triangle without area, or with a coordinate that is not finite,
 /// covers nothing.
 pub(super) fn for_each_covered(
     corners: [[f64; 2]; 3],
     region: &Region,
-    mut visit: impl FnMut(usize, usize, [f64; 3]),
+    mut visit: impl FnMut([usize; 2], [f64; 3], &Range<usize>),
 ) {
     let area = doubled_area(corners);
     if area == 0.0 || !area.is_finite() {
@@ -98,21 +98,27 @@ pub(super) fn for_each_covered(
         |values: &[f64; 3]| edges.iter().zip(values).all(|(edge, &value)| edge.accepts(value));
 
     let columns = pixels_between(corners.map(|corner| corner[0]), &region.columns);
+    let mut span = Vec::new();
     for row in pixels_between(corners.map(|corner| corner[1]), &region.rows) {
         let y = row as f64 + 0.5;
         // Each operation of an edge function, and its rounding, is monotonic in x, so the covered
         // pixels of a row are neighbours: after the last of them the row is done.
-        let span = columns
-            .clone()
-            .map(|column| (column, edges.map(|edge| edge.value([column as f64 + 0.5, y]))))
-            .skip_while(|(_, values)| !covers(values))
-            .take_while(|(_, values)| covers(values));
-        for (column, values) in span {
+        span.clear();
+        span.extend(
+            columns
+                .clone()
+                .map(|column| (column, edges.map(|edge| edge.value([column as f64 + 0.5, y]))))
+                .skip_while(|(_, values)| !covers(values))
+                .take_while(|(_, values)| covers(values)),
+        );
+        let Some(&(start, _)) = span.first() else { continue };
+        let range = start..start + span.len();
+        for &(column, values) in &span {
             // The area again, but with the roundings of the values, so that the weights sum to 1.
             // It is above 0, even on a corner: the three sides as vectors sum to 0, so not all of
             // them are left or top edges.
             let sum = values[0] + values[1] + values[2];
-            visit(column, row, values.map(|value| value / sum));
+            visit([column, row], values.map(|value| value / sum), &range);
         }
     }
 }
@@ -148,7 +154,7 @@ mod tests {
     /// The covered pixels (column, row), row by row.
     fn covered(triangle: Triangle) -> Vec<(usize, usize)> {
         let mut pixels = Vec::new();
-        for_each_covered(triangle, &region(), |x, y, _| pixels.push((x, y)));
+        for_each_covered(triangle, &region(), |[x, y], _, _| pixels.push((x, y)));
         pixels
     }
 
@@ -156,7 +162,7 @@ mod tests {
     fn counts(triangles: &[Triangle]) -> Vec<usize> {
         let mut counts = vec![0; SIZE * SIZE];
         for &triangle in triangles {
-            for_each_covered(triangle, &region(), |x, y, _| counts[y * SIZE + x] += 1);
+            for_each_covered(triangle, &region(), |[x, y], _, _| counts[y * SIZE + x] += 1);
         }
         counts
     }
@@ -393,7 +399,13 @@ mod tests {
         {
             let region = Region { columns, rows };
             let mut inside = Vec::new();
-            for_each_covered(triangle, &region, |x, y, _| inside.push((x, y)));
+            for_each_covered(triangle, &region, |[x, y], _, span| {
+                inside.push((x, y));
+                let row =
+                    all.iter().filter(|(column, row)| *row == y && region.columns.contains(column));
+                let row: Vec<_> = row.map(|(column, _)| *column).collect();
+                assert_eq!(row, span.clone().collect::<Vec<_>>());
+            });
             let mut expected = all.clone();
             expected.retain(|(x, y)| region.columns.contains(x) && region.rows.contains(y));
             assert_eq!(inside, expected);
@@ -420,7 +432,7 @@ mod tests {
                 [[[wild, 0.0], b, a], [a, [9.0, wild], [20.0, 3.0]], [a, b, [wild, wild]]]
             {
                 let mut total = 0.0;
-                for_each_covered(triangle, &region(), |_, _, weights| {
+                for_each_covered(triangle, &region(), |_, weights, _| {
                     total += weights.iter().sum::<f64>();
                 });
                 assert!(total.is_finite());
@@ -492,7 +504,7 @@ mod tests {
         let triangle = [[2.25, 3.5], [60.5, 17.75], [21.0, 59.5]];
         let mut visited = 0;
         for [a, b, c] in [triangle, [triangle[2], triangle[1], triangle[0]]] {
-            for_each_covered([a, b, c], &region(), |column, row, [u, v, w]| {
+            for_each_covered([a, b, c], &region(), |[column, row], [u, v, w], _| {
                 visited += 1;
                 // Rounding of a dozen operations on numbers below 64.
                 assert!((u + v + w - 1.0).abs() < 1e-14);

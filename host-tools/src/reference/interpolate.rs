@@ -4,6 +4,8 @@
 //! the same): depth is linear in screen space; everything else is linear on the surface in space,
 //! so the division by w makes it hyperbolic in the picture.
 
+use super::coverage::doubled_area;
+
 /// The value at the point with the given barycentric weights, linear between the three vertices.
 ///
 /// The sum starts from the first vertex, so that three equal values give exactly that value at
@@ -26,6 +28,43 @@ pub(super) fn in_perspective(weights: [f64; 3], inverse_w: [f64; 3]) -> [f64; 3]
     let parts = [0, 1, 2].map(|i| weights[i] * inverse_w[i]);
     let sum = parts[0] + parts[1] + parts[2];
     parts.map(|part| part / sum)
+}
+
+/// How the barycentric weights of a triangle on the screen change from a pixel to the one on its
+/// right, and to the one below. The changes of the three sum to 0.
+pub(super) fn weight_slopes(corners: [[f64; 2]; 3]) -> [[f64; 3]; 2] {
+    let area = doubled_area(corners);
+    // The weight of a corner is its distance from the opposite side, over the area.
+    let side =
+        |i: usize| [0, 1].map(|axis| corners[(i + 2) % 3][axis] - corners[(i + 1) % 3][axis]);
+    [[0, 1, 2].map(|i| -side(i)[1] / area), [0, 1, 2].map(|i| side(i)[0] / area)]
+}
+
+/// The change of a [`linear`] value from the changes of the weights.
+const fn linear_slope(slopes: [f64; 3], values: [f64; 3]) -> f64 {
+    slopes[1] * (values[1] - values[0]) + slopes[2] * (values[2] - values[0])
+}
+
+/// [`linear_slope`] for each varying of three vertices.
+pub(super) fn linear_slope_each<const N: usize>(
+    slopes: [f64; 3],
+    varyings: [[f64; N]; 3],
+) -> [f64; N] {
+    std::array::from_fn(|i| linear_slope(slopes, varyings.map(|corner| corner[i])))
+}
+
+/// The derivatives of the weights [`in_perspective`] from those of the weights on the screen.
+///
+/// With pᵢ = bᵢ / wᵢ and its sum q, the derivative of pᵢ / q is (pᵢ' - pᵢ / q q') / q.
+pub(super) fn slopes_in_perspective(
+    weights: [f64; 3],
+    slopes: [f64; 3],
+    inverse_w: [f64; 3],
+) -> [f64; 3] {
+    let parts = [0, 1, 2].map(|i| weights[i] * inverse_w[i]);
+    let changes = [0, 1, 2].map(|i| slopes[i] * inverse_w[i]);
+    let (sum, change) = (parts.iter().sum::<f64>(), changes.iter().sum::<f64>());
+    [0, 1, 2].map(|i| (changes[i] - parts[i] / sum * change) / sum)
 }
 
 #[cfg(test)]
@@ -66,5 +105,37 @@ mod tests {
     #[test]
     fn equal_distances_leave_the_weights_alone() {
         assert_eq!(in_perspective([0.25, 0.25, 0.5], [0.125; 3]), [0.25, 0.25, 0.5]);
+    }
+
+    #[test]
+    fn slopes_by_hand() {
+        // A right triangle with legs of 4 to the right and 2 down.
+        for corners in [[[1.0, 1.0], [5.0, 1.0], [1.0, 3.0]], [[1.0, 1.0], [1.0, 3.0], [5.0, 1.0]]]
+        {
+            let [right, down] = weight_slopes(corners);
+            let values = corners.map(|[x, y]| 7.0 + 3.0 * x - 2.0 * y);
+            assert_eq!([linear_slope(right, values), linear_slope(down, values)], [3.0, -2.0]);
+            let both = linear_slope_each(down, values.map(|value| [value, 1.0]));
+            assert_eq!(both, [-2.0, 0.0]);
+        }
+        let [right, down] = weight_slopes([[1.0, 1.0], [5.0, 1.0], [1.0, 3.0]]);
+        assert_eq!([right, down], [[-0.25, 0.25, 0.0], [-0.5, 0.0, 0.5]]);
+    }
+
+    #[test]
+    fn slopes_in_perspective_are_the_limit_of_differences() {
+        let (weights, slopes) = ([0.5, 0.3, 0.2], [0.11, -0.07, -0.04]);
+        let inverse_w = [1.0, 0.25, 0.01];
+        const STEP: f64 = 1e-6;
+        let at = |t: f64| in_perspective([0, 1, 2].map(|i| weights[i] + t * slopes[i]), inverse_w);
+        let (after, before) = (at(STEP), at(-STEP));
+        for (i, slope) in slopes_in_perspective(weights, slopes, inverse_w).into_iter().enumerate()
+        {
+            // Roundings of 2^-53 over 2e-6 are 1e-10; the third derivative adds less.
+            assert!((slope - (after[i] - before[i]) / (2.0 * STEP)).abs() < 1e-9);
+        }
+        // Weights sum to 1 wherever they are.
+        let sum: f64 = slopes_in_perspective(weights, slopes, inverse_w).iter().sum();
+        assert!(sum.abs() < 1e-15);
     }
 }

@@ -14,7 +14,12 @@
 //!
 //! Both interpolate any number of varyings and leave the colour to a closure, which gets a
 //! [`Sample`] and may also discard the fragment. So the reference judges any shader whose
-//! definition is written as closures.
+//! definition is written as closures. A sample also has the exact derivatives of its varyings.
+//!
+//! Texture coordinates are varyings. [`draw_scene`] interpolates them in perspective. For
+//! [`draw_screen`], which is linear, each corner has them over w ([`Footprint::over_w`]) and the
+//! closure divides ([`Footprint::in_perspective`]); left as they are, they are affine. The closure
+//! samples a [`Texture`] or [`Mipmaps`].
 //!
 //! A [`Picture`] keeps *every* fragment of a pixel, not only the visible one. This separates two
 //! causes of a difference: a wrong edge, and two layers whose depths lie closer together than the
@@ -30,6 +35,7 @@
 //! | front face | counter-clockwise for the viewer, hence negative area in screen coordinates (y points down) |
 //! | depth | `near / w` (orthographic: see [`ScreenPoint`]): 1 at the near plane, less beyond; linear in screen space |
 //! | coverage | the pixel centre decides; a centre exactly on an edge follows the top-left rule |
+//! | texture coordinates | u right, v down from the corner of the first texel; 1 is the width, the height |
 //! | colour | real-valued red, green, blue in 0..=255, never quantised |
 //!
 //! # The chain
@@ -43,17 +49,25 @@
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
 //! | what outlines enclose | `winding.rs` | Shimrat, "Algorithm 112: Position of point relative to polygon", CACM 5(8), 1962 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
+//! | error of linear steps | `chord.rs` | derived there |
+//! | texture coordinate and level of detail of a pixel | `footprint.rs` | Vulkan specification, "Image sample operations" |
+//! | texels beyond the edges | `wrap.rs` | OpenGL 4.6 core profile, table 8.21 |
+//! | texels at a coordinate | `texture.rs` | OpenGL 4.6 core profile, section 8.14 |
+//! | mip levels | `mipmaps.rs` | Williams, "Pyramidal parametrics", SIGGRAPH 1983 |
 //! | stored depth | `depth.rs` | IEEE 754, without a sign |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
 mod camera;
+mod chord;
 mod clip;
 mod coverage;
 mod depth;
+mod footprint;
 mod interpolate;
 mod light;
 mod mesh;
+mod mipmaps;
 mod picture;
 mod polygon;
 #[cfg(test)]
@@ -63,15 +77,22 @@ mod ray;
 mod sample;
 mod scene;
 mod screen;
+mod texture;
 mod winding;
+mod wrap;
 
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
+pub use chord::{chord_error, chord_error_in_steps};
 pub use depth::DepthFormat;
+pub use footprint::Footprint;
 pub use light::Light;
 pub use mesh::{Corner, Culling, Mesh};
+pub use mipmaps::Mipmaps;
 pub use picture::{Fragment, Picture};
 pub use polygon::{Plane, triangulate};
 pub use sample::Sample;
 pub use scene::draw_scene;
 pub use screen::{ScreenTriangle, ScreenVertex, draw_screen};
+pub use texture::{Texel, Texture, is_opaque, lit};
 pub use winding::{Pixels, Winding};
+pub use wrap::Wrap;

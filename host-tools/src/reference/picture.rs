@@ -7,27 +7,28 @@ use super::sample::Sample;
 
 /// What one triangle contributes to one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Fragment {
+pub struct Fragment<C = [f64; 3]> {
     /// Depth at the pixel centre; larger is nearer.
     pub depth: f64,
-    /// Red, green, blue at the pixel centre, in 0..=255 and not quantised.
-    pub color: [f64; 3],
+    /// Red, green, blue at the pixel centre, in 0..=255 and not quantised; or another type that a
+    /// closure has returned in its place.
+    pub color: C,
     /// Number of the triangle; pieces of a clipped triangle share its number.
     pub triangle: usize,
 }
 
 /// A drawn picture of `width` by `height` pixels, with every layer of every pixel.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Picture {
+pub struct Picture<C = [f64; 3]> {
     width: usize,
     height: usize,
     /// All fragments, pixel after pixel, row after row.
-    fragments: Vec<Fragment>,
+    fragments: Vec<Fragment<C>>,
     /// Where the fragments of each pixel begin; the last entry is their number.
     starts: Vec<usize>,
 }
 
-impl Picture {
+impl<C> Picture<C> {
     /// Width in pixels.
     #[must_use]
     pub const fn width(&self) -> usize {
@@ -46,7 +47,7 @@ impl Picture {
     ///
     /// Panics if the pixel lies outside the picture.
     #[must_use]
-    pub fn fragments(&self, x: usize, y: usize) -> &[Fragment] {
+    pub fn fragments(&self, x: usize, y: usize) -> &[Fragment<C>] {
         assert!(
             x < self.width && y < self.height,
             "pixel ({x}, {y}) of {} x {}",
@@ -64,7 +65,7 @@ impl Picture {
     ///
     /// Panics if the pixel lies outside the picture.
     #[must_use]
-    pub fn nearest(&self, x: usize, y: usize) -> Option<&Fragment> {
+    pub fn nearest(&self, x: usize, y: usize) -> Option<&Fragment<C>> {
         self.fragments(x, y)
             .iter()
             .reduce(|front, next| if next.depth > front.depth { next } else { front })
@@ -79,18 +80,39 @@ impl Picture {
     pub fn layers(&self, x: usize, y: usize) -> usize {
         self.fragments(x, y).len()
     }
+
+    /// The picture with other colours. `color` returns that of a fragment of the pixel (x, y), or
+    /// `None` to leave it out.
+    #[must_use]
+    pub fn recolored<D: Copy>(
+        &self,
+        color: impl Fn([usize; 2], &Fragment<C>) -> Option<D>,
+    ) -> Picture<D> {
+        let mut canvas = Canvas::new((self.width, self.height));
+        for y in 0..self.height {
+            for x in 0..self.width {
+                for fragment in self.fragments(x, y) {
+                    let &Fragment { depth, triangle, .. } = fragment;
+                    if let Some(color) = color([x, y], fragment) {
+                        canvas.add(x, y, Fragment { depth, color, triangle });
+                    }
+                }
+            }
+        }
+        canvas.into_picture()
+    }
 }
 
 /// A picture while it is drawn: the fragments of all pixels in drawing order.
 #[derive(Clone, Debug)]
-pub(super) struct Canvas {
+pub(super) struct Canvas<C> {
     width: usize,
     height: usize,
     /// Each with its pixel, `y * width + x`.
-    fragments: Vec<(usize, Fragment)>,
+    fragments: Vec<(usize, Fragment<C>)>,
 }
 
-impl Canvas {
+impl<C: Copy> Canvas<C> {
     pub(super) const fn new((width, height): (usize, usize)) -> Self {
         Self { width, height, fragments: Vec::new() }
     }
@@ -100,7 +122,7 @@ impl Canvas {
     pub(super) fn shade<const N: usize>(
         &mut self,
         sample: Sample<N>,
-        shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
+        shade: impl Fn(Sample<N>) -> Option<C>,
     ) {
         let Sample { pixel: [x, y], triangle, depth, .. } = sample;
         if let Some(color) = shade(sample) {
@@ -109,13 +131,13 @@ impl Canvas {
     }
 
     /// Adds a fragment on top of what the pixel holds.
-    fn add(&mut self, x: usize, y: usize, fragment: Fragment) {
+    fn add(&mut self, x: usize, y: usize, fragment: Fragment<C>) {
         self.fragments.push((y * self.width + x, fragment));
     }
 
     /// Sorts the fragments by pixel. A counting sort is stable, so each pixel keeps the drawing
     /// order.
-    pub(super) fn into_picture(self) -> Picture {
+    pub(super) fn into_picture(self) -> Picture<C> {
         let mut starts = vec![0; self.width * self.height + 1];
         for (pixel, _) in &self.fragments {
             starts[pixel + 1] += 1;
@@ -124,11 +146,13 @@ impl Canvas {
             starts[pixel] += starts[pixel - 1];
         }
         let mut next = starts.clone();
-        let mut fragments = vec![Fragment::default(); self.fragments.len()];
-        for (pixel, fragment) in self.fragments {
-            fragments[next[pixel]] = fragment;
-            next[pixel] += 1;
+        // The place of each is that of another in the sorted list.
+        let mut order = vec![0; self.fragments.len()];
+        for (place, (pixel, _)) in self.fragments.iter().enumerate() {
+            order[next[*pixel]] = place;
+            next[*pixel] += 1;
         }
+        let fragments = order.into_iter().map(|place| self.fragments[place].1).collect();
         Picture { width: self.width, height: self.height, fragments, starts }
     }
 }
@@ -174,7 +198,7 @@ mod tests {
 
     #[test]
     fn an_empty_picture_shows_the_background() {
-        let picture = Canvas::new((2, 2)).into_picture();
+        let picture = Canvas::<[f64; 3]>::new((2, 2)).into_picture();
         assert_eq!(picture.nearest(1, 1), None);
         assert_eq!(picture.layers(1, 1), 0);
     }
@@ -182,6 +206,19 @@ mod tests {
     #[test]
     #[should_panic(expected = "pixel (2, 0) of 2 x 2")]
     fn a_pixel_beyond_the_right_side_is_not_the_next_row() {
-        let _ = Canvas::new((2, 2)).into_picture().layers(2, 0);
+        let _ = Canvas::<[f64; 3]>::new((2, 2)).into_picture().layers(2, 0);
+    }
+
+    #[test]
+    fn other_colors_keep_the_order_and_may_leave_fragments_out() {
+        let mut canvas = Canvas::new((2, 1));
+        for (number, x) in (0..).zip([1, 0, 1, 1]) {
+            canvas.add(x, 0, fragment(0.5, number));
+        }
+        let numbers = canvas.into_picture().recolored(|[x, y], fragment| {
+            (fragment.triangle != 2).then_some(100 * x + y + fragment.triangle)
+        });
+        let of = |x| numbers.fragments(x, 0).iter().map(|f| f.color).collect::<Vec<_>>();
+        assert_eq!([of(0), of(1)], [vec![1], vec![100, 103]]);
     }
 }

@@ -3,7 +3,9 @@
 use super::camera::Camera;
 use super::clip::{ViewVertex, clip};
 use super::coverage::{Region, doubled_area, for_each_covered};
-use super::interpolate::{in_perspective, linear, linear_each};
+use super::interpolate::{
+    in_perspective, linear, linear_each, linear_slope_each, slopes_in_perspective, weight_slopes,
+};
 use super::mesh::{Corner, Culling, Mesh};
 use super::picture::{Canvas, Picture};
 use super::sample::Sample;
@@ -11,7 +13,8 @@ use super::sample::Sample;
 /// Draws a mesh as `camera` sees it into a picture of `size` (width, height) pixels.
 ///
 /// `varyings` returns what is interpolated from a corner: perspective-correct, that is, linear on
-/// the surface in space. `shade` returns the colour of a sample, or `None` to discard it.
+/// the surface in space. `shade` returns the colour of a sample, of any type, or `None` to discard
+/// it.
 ///
 /// Only pixels inside the camera's viewport are drawn. A fragment's depth is that of
 /// [`ScreenPoint`](super::ScreenPoint), its triangle the index into [`Mesh::triangles`].
@@ -24,14 +27,14 @@ use super::sample::Sample;
 ///
 /// Panics if a triangle refers to a vertex that the mesh does not have.
 #[must_use]
-pub fn draw_scene<const N: usize>(
+pub fn draw_scene<const N: usize, C: Copy>(
     camera: &Camera,
     mesh: &Mesh,
     culling: Culling,
     size: (usize, usize),
     varyings: impl Fn(Corner) -> [f64; N],
-    shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
-) -> Picture {
+    shade: impl Fn(Sample<N>) -> Option<C>,
+) -> Picture<C> {
     let [columns, rows] = camera.viewport.pixels(size);
     let region = Region { columns, rows };
     let mut canvas = Canvas::new(size);
@@ -54,12 +57,20 @@ pub fn draw_scene<const N: usize>(
             let depths = fan.map(|i| points[i].depth);
             let inverse_ws = fan.map(|i| points[i].inverse_w);
             let varyings = fan.map(|i| polygon[i].varyings);
-            for_each_covered(fan.map(|i| outline[i]), &region, |x, y, weights| {
+            let corners = fan.map(|i| outline[i]);
+            let slopes = weight_slopes(corners);
+            for_each_covered(corners, &region, |pixel, weights, span| {
+                let [per_column, per_row] = slopes.map(|slopes| {
+                    linear_slope_each(slopes_in_perspective(weights, slopes, inverse_ws), varyings)
+                });
                 let sample = Sample {
-                    pixel: [x, y],
+                    pixel,
+                    span: [span.start, span.end - 1],
                     triangle,
                     depth: linear(weights, depths),
                     varyings: linear_each(in_perspective(weights, inverse_ws), varyings),
+                    per_column,
+                    per_row,
                 };
                 canvas.shade(sample, &shade);
             });
@@ -318,7 +329,13 @@ mod tests {
             Culling::None,
             SIZE,
             |corner| [levels[corner.triangle][corner.vertex - 3 * corner.triangle]],
-            |Sample { varyings: [level], .. }| Some(DARK_RED.map(|channel| channel * level)),
+            |Sample { pixel: [x, _], varyings: [level], per_column, per_row, .. }| {
+                // d = 30 / c changes by -30 / c² to the right and not at all downwards.
+                let column = x as f64 + 0.5 - 24.0;
+                assert!((per_column[0] - 0.5 / 32.0 * 30.0 / column.powi(2)).abs() < 1e-11);
+                assert!(per_row[0].abs() < 1e-11);
+                Some(DARK_RED.map(|channel| channel * level))
+            },
         );
         let mut fragments = 0;
         for (x, y) in pixels() {

@@ -1,7 +1,7 @@
 //! The arithmetic route: triangles that are already on the screen.
 
 use super::coverage::{Region, for_each_covered};
-use super::interpolate::{linear, linear_each};
+use super::interpolate::{linear, linear_each, linear_slope_each, weight_slopes};
 use super::picture::{Canvas, Picture};
 use super::sample::Sample;
 
@@ -29,7 +29,7 @@ pub struct ScreenTriangle<const N: usize> {
 }
 
 /// Draws triangles, in their order, into a picture of `size` (width, height) pixels. `shade`
-/// returns the colour of a sample, or `None` to discard it.
+/// returns the colour of a sample, of any type, or `None` to discard it.
 ///
 /// **Coverage is exact** for corners at multiples of 1/256 pixel (hence also 1/16) within ±4,096
 /// pixels, and pictures up to 4,096 pixels wide and high: no operation of the half-plane test is
@@ -39,22 +39,28 @@ pub struct ScreenTriangle<const N: usize> {
 /// Depth and varyings are linear in screen space, in the unit of the vertices. They are rounded:
 /// by some 2^-50 of the largest vertex value.
 #[must_use]
-pub fn draw_screen<const N: usize>(
+pub fn draw_screen<const N: usize, C: Copy>(
     triangles: &[ScreenTriangle<N>],
     size: (usize, usize),
-    shade: impl Fn(Sample<N>) -> Option<[f64; 3]>,
-) -> Picture {
+    shade: impl Fn(Sample<N>) -> Option<C>,
+) -> Picture<C> {
     let region = Region::whole(size);
     let mut canvas = Canvas::new(size);
     for &ScreenTriangle { vertices, number } in triangles {
         let depths = vertices.map(|vertex| vertex.depth);
         let varyings = vertices.map(|vertex| vertex.varyings);
-        for_each_covered(vertices.map(|vertex| [vertex.x, vertex.y]), &region, |x, y, weights| {
+        let corners = vertices.map(|vertex| [vertex.x, vertex.y]);
+        let [per_column, per_row] =
+            weight_slopes(corners).map(|slopes| linear_slope_each(slopes, varyings));
+        for_each_covered(corners, &region, |pixel, weights, span| {
             let sample = Sample {
-                pixel: [x, y],
+                pixel,
+                span: [span.start, span.end - 1],
                 triangle: number,
                 depth: linear(weights, depths),
                 varyings: linear_each(weights, varyings),
+                per_column,
+                per_row,
             };
             canvas.shade(sample, &shade);
         });
@@ -119,9 +125,15 @@ mod tests {
             });
             let picture = draw_screen(&[ScreenTriangle { vertices, number: 7 }], SIZE, |sample| {
                 let [x, y] = sample.pixel.map(|c| c as f64 + 0.5);
-                for (varying, plane) in sample.varyings.into_iter().zip(&planes) {
+                for (i, plane) in planes.iter().enumerate() {
                     // Values below 128, a dozen roundings of 2^-53 each: 2e-13.
-                    assert!((varying - plane(x, y)).abs() < 2e-13);
+                    assert!((sample.varyings[i] - plane(x, y)).abs() < 2e-13);
+                    let [right, down] = [plane(x + 1.0, y), plane(x, y + 1.0)];
+                    // Thin triangles multiply that by their length over their width, which is at
+                    // least 1/16 of 1/16 over their length.
+                    let slopes = [right, down].map(|value| value - plane(x, y));
+                    assert!((sample.per_column[i] - slopes[0]).abs() < 1e-10);
+                    assert!((sample.per_row[i] - slopes[1]).abs() < 1e-10);
                 }
                 assert!((sample.depth - depth(x, y)).abs() < 2e-13);
                 assert_eq!(sample.triangle, 7);

@@ -38,6 +38,15 @@ impl<'a, S> TexturedFlat<'a, S> {
     pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
         Self { skin: Skin::new(textures), light }
     }
+
+    /// The same with textures whose number is known at run time; `None` without any.
+    #[must_use]
+    pub const fn from_slice(textures: &'a [S], light: Light) -> Option<Self> {
+        match Skin::from_slice(textures) {
+            Some(skin) => Some(Self { skin, light }),
+            None => None,
+        }
+    }
 }
 
 impl<'a, S, F, M, C> TexturedFlat<'a, S, F, M, C> {
@@ -122,18 +131,30 @@ where
     fn pixel(
         &self,
         surface: &Self::Surface,
-        (face, light): &Self::Face,
+        face: &Self::Face,
         fragment: Fragment<Sample<Self>>,
     ) -> TexelOf<S> {
-        surface.slot.texture_or(
-            |texture| {
-                Skin::<S, F, M, C>::texel(texture, face, fragment.varyings, |texels, index| {
-                    texels.before_light(index, *light)
-                })
-                .recolored(|color| TexelsOf::<S>::after_light(color, *light))
-            },
-            || bare(surface.color.into()),
-        )
+        self.pixels(surface, *face)(fragment)
+    }
+
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Self::Surface,
+        (face, light): Self::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> + Copy {
+        let Covered { slot, color } = *surface;
+        move |fragment| {
+            slot.texture_or(
+                |texture| {
+                    Skin::<S, F, M, C>::texel(texture, &face, fragment.varyings, |texels, index| {
+                        texels.before_light(index, light)
+                    })
+                    .recolored(|color| TexelsOf::<S>::after_light(color, light))
+                },
+                || bare(color),
+            )
+        }
     }
 }
 
