@@ -11,8 +11,8 @@ mod generator;
 
 fn main() -> Result<(), ModelError> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
-    for (name, text) in generator::files() {
-        write_atomically(&directory.join(name), &text)?;
+    for (name, contents) in generator::files() {
+        write_atomically(&directory.join(name), &contents)?;
     }
     Ok(())
 }

@@ -123,59 +123,6 @@ fn convert_writes_the_static_and_reports() {
 }
 
 #[test]
-fn convert_tells_what_textures_cost_and_lose() {
-    let corners = "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
-    let faces = "f 1/1 4/2 3/3 2/4\nf 5/1 6/2 7/3 8/4\n";
-    let obj = format!("mtllib a.mtl\n{CUBE}{corners}usemtl a\n{faces}");
-    let directory = directory_with("a.obj", &obj);
-    let path = directory.path();
-    fs::write(path.join("a.mtl"), "newmtl a\nmap_Kd ramp.png\n").unwrap();
-    let mut encoder = png::Encoder::new(fs::File::create(path.join("ramp.png")).unwrap(), 16, 16);
-    encoder.set_color(png::ColorType::Grayscale);
-    let mut writer = encoder.write_header().unwrap();
-    writer.write_image_data(&std::array::from_fn::<u8, 256, _>(|i| i as u8)).unwrap();
-    writer.finish().unwrap();
-
-    let warning = |line: &str| {
-        let output = run(path, line);
-        assert_eq!(output.status.code(), Some(0), "{line}: {}", text(&output.stderr));
-        text(&output.stdout).to_owned()
-    };
-    let report = warning("convert a.obj --texture-size 8x4 --texture-format indexed4 --mipmaps");
-    for part in [
-        "Textures: 8x4, indexed4, rgb565, 4 mip levels\n",
-        "ramp.png: 54 bytes, from 16x16 pixels, ",
-        " dB from it in that size\n",
-        "Wrote a.rs: statics A and A_TEXTURES",
-    ] {
-        assert!(report.contains(part), "{part}: {report}");
-    }
-    let json = warning("convert a.obj --json --texture-format gray8 --color gray8");
-    let json: Value = serde_json::from_str(&json).unwrap();
-    let texture = &json["textures"][0];
-    assert_eq!((&texture["width"], &texture["levels"]), (&16.into(), &1.into()));
-    // 256 texels and 256 greys of a byte each.
-    assert_eq!((&texture["bytes"], &json["flash"]["textures"]), (&512.into(), &512.into()));
-    assert_eq!(texture["psnr_db"], Value::Null);
-    let report = warning("convert a.obj --no-textures");
-    assert!(report.contains("static A\n") && !report.contains("Texture"), "{report}");
-
-    for (line, part) in [
-        ("convert a.obj --texture-size 12x16", "the sides of textures that repeat are powers"),
-        ("convert a.obj --texture-size 16", "write auto, or two numbers"),
-        ("convert a.obj --texture-format rgb", "[possible values: "),
-        ("convert a.obj --alpha 2", "--alpha"),
-        ("convert a.obj --no-textures --mipmaps", "--no-textures"),
-    ] {
-        let error = refuse(path, line);
-        assert!(error.contains(part), "{line}: {error}");
-    }
-    fs::remove_file(path.join("ramp.png")).unwrap();
-    let error = refuse(path, "convert a.obj");
-    assert!(error.contains("a.mtl:2: `map_Kd`: ramp.png: "), "{error}");
-}
-
-#[test]
 fn convert_overwrites_only_its_own_files() {
     let directory = directory_with("a.obj", CUBE);
     let path = directory.path();

@@ -2,6 +2,10 @@
 
 use std::convert::Infallible;
 
+use embedded_graphics::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
 use host_tools::check::DefinedDepth as _;
 use rasterizer::{
     attribute::{DepthFormat as _, FloatDepth, Step as _},
@@ -11,9 +15,10 @@ use rasterizer::{
 };
 use rasterizer_tests::Random;
 
-const WINDOW: Window = Window { left: -1024, top: -1024, right: 1024, bottom: 1024 };
+const WINDOW: Window =
+    Window::new(&Rectangle::new(Point::new(-1024, -1024), Size::new_equal(2048)));
 
-const LAYOUT: Layout = Layout { pitch: 0, origin: WINDOW.left };
+const LAYOUT: Layout = Layout { pitch: 0, origin: WINDOW.left() };
 
 /// Depths that are interpolated, and how far off in last bits of the nearest corner's 32.
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,7 +57,7 @@ fn check<S: Subpixel>(found: &mut Found, corners: [([i32; 2], u16); 3], every: i
         }
         let mut value = span.depth;
         for address in span.start..span.end {
-            let column = address as i32 + WINDOW.left;
+            let column = address as i32 + WINDOW.left();
             let half = 1i128 << (S::BITS - 1);
             let [x, y] = [column, span.row].map(|c| (i128::from(c) << S::BITS) + half);
             // Doubled areas, exactly.

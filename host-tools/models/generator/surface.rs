@@ -10,6 +10,7 @@ pub(super) type Point = [f64; 3];
 pub(super) struct Surface {
     text: String,
     points: usize,
+    textures: usize,
 }
 
 /// The vertices of a closed curve, counted as OBJ counts.
@@ -28,7 +29,7 @@ impl Ring {
 impl Surface {
     /// Starts a file; `library` is its MTL file.
     pub(super) fn new(comment: &str, library: &str) -> Self {
-        Self { text: format!("# {comment}\nmtllib {library}\n"), points: 0 }
+        Self { text: format!("# {comment}\nmtllib {library}\n"), points: 0, textures: 0 }
     }
 
     /// The finished text.
@@ -61,6 +62,19 @@ impl Surface {
             self.point(point);
         }
         Ring { first, length: self.points + 1 - first }
+    }
+
+    /// Adds texture coordinates and returns their index.
+    pub(super) fn texture(&mut self, coordinates: [f64; 2]) -> usize {
+        self.line(&format!("vt {}", self::coordinates(&coordinates)));
+        self.textures += 1;
+        self.textures
+    }
+
+    /// Adds a face with texture coordinates at its corners.
+    pub(super) fn textured_face(&mut self, corners: impl IntoIterator<Item = (usize, usize)>) {
+        let corners = corners.into_iter().map(|(point, texture)| format!(" {point}/{texture}"));
+        self.line(&format!("f{}", corners.collect::<String>()));
     }
 
     /// Adds a face.

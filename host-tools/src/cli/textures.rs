@@ -95,7 +95,7 @@ pub(super) struct TextureJson {
     height: usize,
     levels: usize,
     bytes: usize,
-    /// Nothing if it is equal to the picture in that size.
+    /// `null` where it is equal to the picture in that size.
     psnr_db: Option<f64>,
 }
 

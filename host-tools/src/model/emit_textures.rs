@@ -18,16 +18,20 @@ pub(super) fn textures(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "\n/// A texture of [`{name}`]: {each}.")?;
     writeln!(out, "#[rustfmt::skip]")?;
     writeln!(out, "pub type {type_name} = {};", layers.texture_type(textures))?;
-    writeln!(
-        out,
-        "\n/// The texture of each material of [`{name}`]; `None` where it has a colour."
-    )?;
+    // Shaders have less code for a table in which no material lacks a texture.
+    let has_all = textures.by_material.iter().all(Option::is_some);
+    let (entry, without) = if has_all {
+        (type_name.clone(), "")
+    } else {
+        (format!("Option<{type_name}>"), "; `None` where it has a colour")
+    };
+    writeln!(out, "\n/// The texture of each material of [`{name}`]{without}.")?;
     writeln!(out, "#[rustfmt::skip]")?;
     if layers.bits.is_none() {
         let reason = "each colour of a large texture takes the compiler a few steps";
         writeln!(out, "#[allow(long_running_const_eval, reason = \"{reason}\")]")?;
     }
-    writeln!(out, "pub static {name}_TEXTURES: [Option<{type_name}>; {count}] = {{")?;
+    writeln!(out, "pub static {name}_TEXTURES: [{entry}; {count}] = {{")?;
     writeln!(out, "    use ::rasterizer::{}::{};", color_module(textures.color), layers.color)?;
     writeln!(out, "    use ::rasterizer::texture::{{{}}};", layers.names())?;
     color_function(out, &layers)?;
@@ -38,11 +42,13 @@ pub(super) fn textures(out: &mut String, model: &Model) -> std::fmt::Result {
     }
     writeln!(out, "    [")?;
     for place in &textures.by_material {
-        match place {
-            Some(place) => {
-                let texels = layers.value(&textures.textures[*place], *place);
-                writeln!(out, "        Some({type_name}::new({texels})),")?;
-            }
+        let texture = place.map(|place| {
+            let texels = layers.value(&textures.textures[place], place);
+            format!("{type_name}::new({texels})")
+        });
+        match texture {
+            Some(texture) if has_all => writeln!(out, "        {texture},")?,
+            Some(texture) => writeln!(out, "        Some({texture}),")?,
             None => writeln!(out, "        None,")?,
         }
     }

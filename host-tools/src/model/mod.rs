@@ -24,6 +24,7 @@ mod libraries;
 mod library_path;
 mod mtl;
 mod normals;
+mod options;
 mod order;
 mod polygons;
 mod quantize;
@@ -47,7 +48,6 @@ mod write;
 
 use std::{
     collections::HashMap,
-    fmt,
     path::{Path, PathBuf},
 };
 
@@ -58,6 +58,7 @@ use rasterizer::{
 
 pub use error::{LineFault, ModelError};
 pub use faces::{Face, Faces};
+pub use options::{Contents, Fit, Options};
 pub use quote::printable;
 pub use report::{Flash, Report, thousands};
 pub use texture_coordinates::TextureTable;
@@ -71,83 +72,6 @@ use smoothing::Smoothing;
 use triangulate::Triangle;
 use vector::{Vector, length, sub};
 use weld::Welded;
-
-/// How to convert a model.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Options {
-    /// Where it lies and how large it is.
-    pub fit: Fit,
-    /// Up to this angle between two faces, in degrees from 0 to 180, a computed normal is smooth
-    /// across their edge.
-    pub crease_degrees: f64,
-    /// Whether faces that run against their neighbours, and closed parts that are inside out, are
-    /// turned over. Without it they are only told.
-    pub fix_winding: bool,
-    /// Whether computed normals follow the file's smoothing groups (`s 1`, `s off`) in place of the
-    /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
-    /// follow the crease angle.
-    pub smoothing_groups: bool,
-    /// Which tables to make.
-    pub contents: Contents,
-    /// How the pictures of materials become textures, whose coordinates are then made too; `None`
-    /// leaves them out.
-    pub textures: Option<TextureOptions>,
-    /// The name of the static; `None` for that of the file.
-    pub name: Option<String>,
-}
-
-impl Default for Options {
-    /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, the default
-    /// contents, textures, the name of the file.
-    fn default() -> Self {
-        Self {
-            fit: Fit::default(),
-            crease_degrees: 60.0,
-            fix_winding: false,
-            smoothing_groups: true,
-            contents: Contents::default(),
-            textures: Some(TextureOptions::default()),
-            name: None,
-        }
-    }
-}
-
-/// Where a model lies and how large it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Fit {
-    /// The middle of its bounding box at the origin, its farthest vertex at a distance of 1.
-    #[default]
-    Unit,
-    /// The file's own coordinates, which must lie in Q16.16.
-    Keep,
-}
-
-impl fmt::Display for Fit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Unit => "unit fit",
-            Self::Keep => "coordinates kept",
-        })
-    }
-}
-
-/// Which of the optional tables to make.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Contents {
-    /// For smooth shading; hard edges take more vertices.
-    pub vertex_normals: bool,
-    /// For flat shading.
-    pub face_normals: bool,
-    /// Texture coordinates even without a texture, for other shaders; seams take more vertices.
-    pub texture_coordinates: bool,
-}
-
-impl Default for Contents {
-    /// Both kinds of normals, no texture coordinates but for textures.
-    fn default() -> Self {
-        Self { vertex_normals: true, face_normals: true, texture_coordinates: false }
-    }
-}
 
 /// A converted model.
 #[derive(Clone, Debug, PartialEq)]

@@ -50,10 +50,11 @@ pub(super) fn corner_normals(
     crease: f64,
 ) -> Vec<[Vector; 3]> {
     let faces: Vec<Vector> = triangles.iter().map(|t| face_normal(places(t, positions))).collect();
+    let has_area: Vec<bool> = triangles.iter().map(|t| has_area(places(t, positions))).collect();
     let mut around: Vec<Vec<(usize, f64)>> = vec![Vec::new(); positions.len()];
     for (face, triangle) in triangles.iter().enumerate() {
         // The normal of a triangle without area is noise.
-        if !has_area(places(triangle, positions)) {
+        if !has_area[face] {
             continue;
         }
         for corner in 0..3 {
@@ -70,22 +71,26 @@ pub(super) fn corner_normals(
             (position, CapTree::new(normals.collect()))
         })
         .collect();
+    // Where all faces are within the crease of each other, their sum serves each of them.
+    let shared: Vec<Option<Vector>> =
+        around.iter().map(|around| shared_normal(around, &faces, crease)).collect();
     let sum_of = |face: usize, position: u32| {
         if let Some(tree) = trees.get(&position) {
             return tree.sum(faces[face], least);
         }
-        let (mut sum, mut weight) = ([0.0; 3], 0.0);
-        for &(other, opening) in &around[position as usize] {
-            if dot(faces[other], faces[face]) >= least {
-                sum = add(sum, scaled(faces[other], opening));
-                weight += opening;
-            }
-        }
-        (sum, weight)
+        sum(
+            around[position as usize]
+                .iter()
+                .filter(|&&(other, _)| dot(faces[other], faces[face]) >= least),
+            &faces,
+        )
     };
     let smooth = |face: usize, position: u32| {
-        let (sum, weight) = sum_of(face, position);
-        mean(sum, weight).unwrap_or(faces[face])
+        let shared = shared[position as usize].filter(|_| has_area[face]);
+        shared.unwrap_or_else(|| {
+            let (sum, weight) = sum_of(face, position);
+            mean(sum, weight).unwrap_or(faces[face])
+        })
     };
     triangles
         .iter()
@@ -96,6 +101,25 @@ pub(super) fn corner_normals(
                 .map(|c| normalized(c.normal).unwrap_or_else(|| smooth(face, c.position)))
         })
         .collect()
+}
+
+/// The weighted sum of the normals of faces, and of their weights.
+fn sum<'a>(around: impl Iterator<Item = &'a (usize, f64)>, faces: &[Vector]) -> (Vector, f64) {
+    around.fold(([0.0; 3], 0.0), |(sum, weight), &(face, opening)| {
+        (add(sum, scaled(faces[face], opening)), weight + opening)
+    })
+}
+
+/// The mean of all faces round a position if none is turned by more than half the crease from it:
+/// then each includes all others. `None` also where a tree sums them.
+fn shared_normal(around: &[(usize, f64)], faces: &[Vector], crease: f64) -> Option<Vector> {
+    if around.len() > CROWD {
+        return None;
+    }
+    let (sum, weight) = sum(around.iter(), faces);
+    let mean = mean(sum, weight)?;
+    let least = (crease / 2.0).cos() + 1e-9;
+    around.iter().all(|&(face, _)| dot(faces[face], mean) >= least).then_some(mean)
 }
 
 #[cfg(test)]
@@ -146,6 +170,45 @@ mod tests {
     fn given_normals_are_normalised_and_kept() {
         let given = triangle([0, 1, 2], [0.0, 3.0, -4.0]);
         assert_eq!(corner_normals(&[given], &POSITIONS, 1.0), [[[0.0, 0.6, -0.8]; 3]]);
+    }
+
+    /// Fans round one position from nearly flat to steep, each with a triangle without area.
+    #[test]
+    fn a_shared_mean_is_that_of_the_definition() {
+        let (mut shared, mut split) = (0, 0);
+        for (sides, crease) in [(3, 60.0), (7, 60.0), (12, 25.0), (40, 180.0), (5, 0.0)] {
+            let crease = f64::to_radians(crease);
+            for step in 0..60 {
+                let height = |i: u32| f64::from(i * i * 7 % 11) / 11.0 * f64::from(step) / 20.0;
+                let rim = (0..sides).map(|i| {
+                    let (sin, cos) =
+                        (f64::from(i) / f64::from(sides) * std::f64::consts::TAU).sin_cos();
+                    [cos, height(i), sin]
+                });
+                let positions: Vec<Vector> = std::iter::once([0.0, 0.1, 0.0]).chain(rim).collect();
+                let fan = (0..sides).map(|i| [0, (i + 1) % sides + 1, i + 1]);
+                let corners = fan.chain([[0, 1, 1]]).map(|t| triangle(t, [0.0; 3]));
+                let triangles: Vec<Triangle> = corners.collect();
+                let faces: Vec<Vector> =
+                    triangles.iter().map(|t| face_normal(places(t, &positions))).collect();
+                let at_tip = |face: usize| {
+                    let near = (0..sides as usize)
+                        .filter(|&other| dot(faces[other], faces[face]) >= crease.cos() - 1e-9);
+                    let near: Vec<(usize, f64)> = near
+                        .map(|other| (other, opening(&triangles[other], 0, &positions)))
+                        .collect();
+                    let (sum, weight) = sum(near.iter(), &faces);
+                    (near.len(), mean(sum, weight).unwrap_or(faces[face]))
+                };
+                let normals = corner_normals(&triangles, &positions, crease);
+                for (face, normals) in normals.iter().enumerate() {
+                    let (count, exact) = at_tip(face);
+                    assert_eq!(normals[0], exact, "{sides} {step} {face}");
+                    *(if count == sides as usize { &mut shared } else { &mut split }) += 1;
+                }
+            }
+        }
+        assert!(shared > 500 && split > 500, "{shared} {split}");
     }
 
     #[test]

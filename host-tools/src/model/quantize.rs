@@ -2,7 +2,7 @@
 
 use rasterizer::numbers::Scale;
 
-use super::vector::{Vector, angle, length, sub};
+use super::vector::{Vector, angle, cross, dot, sub};
 
 /// The length of a quantum in model units.
 pub(super) fn quantum(scale: Scale) -> f64 {
@@ -52,11 +52,30 @@ pub(super) fn normal(exact: Vector) -> [i8; 3] {
             if up { target[axis].ceil() } else { target[axis].floor() }
         })
     });
+    // Squares of whole numbers from (127 - d)^2 to (127 + d)^2, where d is that half diagonal, the
+    // root of 3/4: exact, and none is closer to an end than 0.2.
     let near = candidates.filter(|&c| {
-        (length(c) - 127.0).abs() <= 0.75_f64.sqrt() && c.iter().all(|x| x.abs() <= 127.0)
+        (15_910.0..=16_349.0).contains(&dot(c, c)) && c.iter().all(|x| x.abs() <= 127.0)
     });
-    let angles = near.map(|c| (angle(c, exact), c));
-    let best = angles.min_by(|(a, _), (b, _)| a.total_cmp(b)).map(|(_, c)| c);
+    // The squared tangent of the angle, which takes no root and no arc tangent.
+    let mut best: Option<(f64, Vector)> = None;
+    for c in near {
+        let across = cross(c, exact);
+        let along = dot(c, exact);
+        let tangent = dot(across, across) / (along * along);
+        let is_better = best.is_none_or(|(least, other)| {
+            if (tangent - least).abs() > 1e-9 * least {
+                tangent < least
+            } else {
+                // Rounding decides between equal angles, in the same way in every version.
+                angle(c, exact).total_cmp(&angle(other, exact)).is_lt()
+            }
+        });
+        if is_better {
+            best = Some((tangent, c));
+        }
+    }
+    let best = best.map(|(_, c)| c);
     best.unwrap_or_else(|| target.map(f64::round)).map(|x| x as i8)
 }
 
@@ -67,7 +86,10 @@ pub(super) fn normal_error(quantised: [i8; 3], exact: Vector) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{super::vector::normalized, *};
+    use super::{
+        super::vector::{length, normalized},
+        *,
+    };
 
     /// Points from a Weyl sequence, spread evenly over (-1, 1)³.
     fn points() -> impl Iterator<Item = Vector> {
@@ -103,6 +125,25 @@ mod tests {
             let error = (quantum(nearest_scale(value)) / value - 1.0).abs();
             assert!(error <= 2_f64.powi(-32), "{value}: {error}");
         }
+    }
+
+    #[test]
+    fn the_normal_is_the_triple_of_the_least_angle() {
+        let ties =
+            points().flat_map(|[a, b, _]| [[a, a, b], [b, a, -a], [a, 0.0, a], [0.0, b, 0.0]]);
+        let mut seen = 0;
+        for exact in points().chain(ties).filter_map(normalized) {
+            let down = exact.map(|x| (x * 127.0).floor());
+            let up = exact.map(|x| (x * 127.0).ceil());
+            let corners = (0..8).map(|i| [0, 1, 2].map(|k| [down, up][i >> k & 1][k]));
+            let near = corners.filter(|&c| {
+                (length(c) - 127.0).abs() <= 0.75_f64.sqrt() && c.iter().all(|x| x.abs() <= 127.0)
+            });
+            let least = near.min_by(|&a, &b| angle(a, exact).total_cmp(&angle(b, exact))).unwrap();
+            assert_eq!(normal(exact).map(f64::from), least.map(|x| x + 0.0), "{exact:?}");
+            seen += 1;
+        }
+        assert!(seen > 1_000, "{seen}");
     }
 
     #[test]

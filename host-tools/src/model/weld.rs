@@ -1,7 +1,5 @@
 //! Merges equal corners into vertices.
 
-use std::collections::HashMap;
-
 use super::{
     Contents,
     triangulate::Triangle,
@@ -25,7 +23,7 @@ pub(super) struct Welded {
 /// `normals` may be empty if it keeps none.
 pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Contents) -> Welded {
     let mut welded = Welded::default();
-    let mut known = HashMap::new();
+    let mut known = rustc_hash::FxHashMap::default();
     for (index, triangle) in triangles.iter().enumerate() {
         let vertices = [0, 1, 2].map(|i| {
             let corner = &triangle.corners[i];

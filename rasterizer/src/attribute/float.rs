@@ -4,8 +4,9 @@
 //!
 //! The values of a triangle's corners are scaled by one power of two, so that the largest of them
 //! uses all bits of an integer (block floating point), and are interpolated as integers are. At a
-//! pixel the leading zeros of the value tell the exponent. All but the triangles that reach far
-//! into the distance have few or none.
+//! pixel the leading zeros of the value tell the exponent. Depth is linear on the screen, so that
+//! half the pixels or more have none, and three quarters or more have one at most. Where there is
+//! no instruction that counts them, these two octaves come first, with constant shifts.
 //!
 //! * If the corners' exponents differ by 4 at most, all their bits fit 16 bits. They are stepped
 //!   like an attribute of 16 bits, within 1/4 + 3/2 n / 2^16 units of it over n pixels, plus half a
@@ -26,7 +27,7 @@ use bytemuck::{Pod, Zeroable};
 use fixed::types::U0F32;
 
 use super::{DepthFormat, Interpolate, Piece, Plane, QuickGradients, Step, TriangleSetup, Whole};
-use crate::numbers::{Subpixel, normalised, normalised_from_few};
+use crate::numbers::{HAS_LEADING_ZEROS, IS_NARROW, Subpixel, few_leading_zeros, normalised};
 
 /// Depth as a floating-point number of 16 bits, with the same relative resolution at every
 /// distance: for scenes that reach far, in half the memory of `u32`.
@@ -145,9 +146,19 @@ impl DepthFormat for FloatDepth {
     }
 
     #[inline(always)]
-    fn at(Block { value, scale }: Block) -> Self {
-        let (significand, zeros) = normalised_from_few(value);
-        let bits = scale.wrapping_add(significand >> UP).wrapping_sub(zeros << MANTISSA_BITS);
+    fn at(block: Block) -> Self {
+        let Block { value, scale } = block;
+        let bits = if HAS_LEADING_ZEROS {
+            block.normalised(value.leading_zeros())
+        } else if value.cast_signed() < 0 {
+            scale.wrapping_add(value >> UP)
+        } else if (value << 1).cast_signed() < 0 {
+            block.normalised(1)
+        } else if IS_NARROW {
+            far(value, scale)
+        } else {
+            block.normalised(few_leading_zeros(value))
+        };
         Self(bits as u16)
     }
 
@@ -168,6 +179,13 @@ pub struct Block {
 }
 
 impl Block {
+    /// The bits of a depth whose value has this many leading zeros.
+    #[inline(always)]
+    const fn normalised(self, zeros: u32) -> u32 {
+        let significand = self.value.unbounded_shl(zeros);
+        self.scale.wrapping_add(significand >> UP).wrapping_sub(zeros << MANTISSA_BITS)
+    }
+
     #[inline(always)]
     const fn plane(plane: Plane<u32>, scale: u32) -> Plane<Self> {
         Plane {
@@ -176,6 +194,13 @@ impl Block {
             per_row: Self { value: plane.per_row, scale },
         }
     }
+}
+
+/// The bits of a depth two octaves or more below the nearest corner's.
+// codegen: not inlined, because it needs registers that a loop over pixels has no other use for.
+#[inline(never)]
+const fn far(value: u32, scale: u32) -> u32 {
+    Block { value, scale }.normalised(few_leading_zeros(value))
 }
 
 /// In the units of the first operand.

@@ -64,7 +64,7 @@ impl<T: Step> Field for Plane<T> {
         Self {
             anchor: self.at(columns, rows),
             per_column: self.per_column,
-            per_row: self.per_row.wrapping_add(self.per_column.wrapping_mul(-pitch)),
+            per_row: self.per_row.wrapping_add(self.per_column.wrapping_mul(pitch.wrapping_neg())),
         }
     }
 }

@@ -85,8 +85,10 @@ impl Axis {
 
 /// Whether the mesh's origin lies within 2^16 world units of the pose's.
 pub(super) fn is_offset_in_range(pose: &Pose, offset: Vec3) -> bool {
-    let [x, y, z] = offset.to_bits().map(i32::unsigned_abs);
-    u64::from(x | y | z) * u64::from(pose.scale.to_bits()) < 1 << (32 + 16)
+    // codegen: not by `map`, which has an array of its own.
+    let [x, y, z] = offset.to_bits();
+    let bits = x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs();
+    u64::from(bits) * u64::from(pose.scale.to_bits()) < 1 << (32 + 16)
 }
 
 /// The positions of a mesh as its matrix sees them: in normalised quanta. The mesh's own are

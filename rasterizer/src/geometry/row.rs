@@ -39,7 +39,7 @@ impl<const PARTS: usize> Row<PARTS> {
         } else {
             (i64::from(origin.in_units_of(unit)) << FRACTION_BITS, 1 << (FRACTION_BITS - 1))
         };
-        let mut row = Self { entries: [[0; 3]; PARTS], translation: (0, 0) };
+        let mut entries = [[0; 3]; PARTS];
         for (column, (&direction, &anchor)) in axis.direction.iter().zip(&grid.anchor).enumerate() {
             keep_rolled();
             // Q60 times a mantissa, over 2^30.
@@ -53,7 +53,7 @@ impl<const PARTS: usize> Row<PARTS> {
             if C::HAS_FRACTION {
                 translation -= i64::from(entry) * i64::from(anchor);
             }
-            match row.entries.as_mut_slice() {
+            match entries.as_mut_slice() {
                 [whole] => whole[column] = entry << (16 - FRACTION_BITS),
                 [high, low] => {
                     high[column] = (entry + (1 << (FRACTION_BITS - 1))) >> FRACTION_BITS;
@@ -66,8 +66,7 @@ impl<const PARTS: usize> Row<PARTS> {
         let units = (translation >> FRACTION_BITS) as i32;
         let fraction = (translation as u32 & ((1 << FRACTION_BITS) - 1)) | half;
         let shift = if PARTS == 1 { 32 - FRACTION_BITS } else { 0 };
-        row.translation = (units, fraction << shift);
-        row
+        Self { entries, translation: (units, fraction << shift) }
     }
 
     /// The least coordinate of all positions in the mesh's bounds, or the greatest.

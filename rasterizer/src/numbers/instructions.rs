@@ -19,7 +19,7 @@ pub(crate) const HAS_UNALIGNED_WORDS: bool =
     cfg!(all(target_arch = "arm", target_has_atomic = "32"));
 
 /// Whether counting leading zeros takes one instruction or a few.
-const HAS_LEADING_ZEROS: bool = !(IS_NARROW
+pub(crate) const HAS_LEADING_ZEROS: bool = !(IS_NARROW
     || cfg!(all(
         any(target_arch = "riscv32", target_arch = "riscv64"),
         not(target_feature = "zbb")
@@ -111,18 +111,12 @@ pub(crate) const fn normalised(value: u32) -> (u32, u32) {
     }
 }
 
-/// A positive number shifted up to its most significant bit, and by how many bits, for numbers that
-/// mostly have few leading zeros. 0 stays 0.
+/// The leading zeros of a number that mostly has few; 0 has none.
 ///
-/// Where there is no instruction for it, each leading zero takes 4 instructions.
+/// It is for cores that have no instruction for it: each leading zero takes 4 instructions.
 #[inline(always)]
-pub(crate) const fn normalised_from_few(value: u32) -> (u32, u32) {
-    if HAS_LEADING_ZEROS {
-        let zeros = value.leading_zeros();
-        (value.unbounded_shl(zeros), zeros)
-    } else {
-        software::normalised_by_bits(value)
-    }
+pub(crate) const fn few_leading_zeros(value: u32) -> u32 {
+    software::leading_zeros_by_bits(value)
 }
 
 /// ⌊a / b⌋, for quotients that are mostly small; 0 for a `b` of 0.

@@ -30,9 +30,9 @@ pub use coordinate::Coordinate;
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use instructions::{
-    HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, leading_zeros, mul_high,
-    mul_high_unsigned, mul_q30, mul_q60, mul_wide, mul_wide_q30, normalised, normalised_from_few,
-    saturate, shifted,
+    HAS_LEADING_ZEROS, HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, few_leading_zeros,
+    leading_zeros, mul_high, mul_high_unsigned, mul_q30, mul_q60, mul_wide, mul_wide_q30,
+    normalised, saturate, shifted,
 };
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;

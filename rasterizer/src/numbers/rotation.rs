@@ -132,17 +132,11 @@ impl Rotation {
         [self.along_column(0, v), self.along_column(1, v), self.along_column(2, v)]
     }
 
-    /// The scalar product of a column with a vector in Q30. It is not inlined: it makes matrices,
-    /// once per frame.
-    #[inline(never)]
+    /// The scalar product of a column with a vector in Q30.
+    #[inline(always)]
     fn along_column(&self, column: usize, v: &[i32; 3]) -> i64 {
-        let mut sum = 0;
-        for (row, &v) in self.rows.iter().zip(v) {
-            codegen::keep_rolled();
-            let c = row.get(column).copied().unwrap_or_default();
-            sum += i64::from(c.to_bits()) * i64::from(v);
-        }
-        sum
+        let entry = |row: usize| self.rows[row].get(column).copied().unwrap_or_default().to_bits();
+        scalar_product(entry(0), entry(1), entry(2), v)
     }
 
     /// The rotation that applies `first` and then this one, like the product, and orthonormal
@@ -222,13 +216,19 @@ impl Mul<Vec3> for Rotation {
     }
 }
 
+/// x v[0] + y v[1] + z v[2]. It is not inlined: it makes matrices, once per frame.
+#[inline(never)]
+fn scalar_product(x: i32, y: i32, z: i32, v: &[i32; 3]) -> i64 {
+    let product = |a: i32, b: i32| i64::from(a) * i64::from(b);
+    product(x, v[0]) + product(y, v[1]) + product(z, v[2])
+}
+
 impl Vec3 {
-    /// The scalar product with a direction in Q30, exact, in Q46. It is not inlined: matrices use
-    /// it, once per frame.
-    #[inline(never)]
+    /// The scalar product with a direction in Q30, exact, in Q46.
+    #[inline(always)]
     pub(crate) fn along(&self, direction: &[i32; 3]) -> i64 {
-        let products = self.to_bits().into_iter().zip(direction);
-        products.map(|(c, &d)| i64::from(c) * i64::from(d)).sum()
+        let [x, y, z] = self.to_bits();
+        scalar_product(x, y, z, direction)
     }
 
     /// The vector of length one in this direction, within 2<sup>-16</sup>, or `None` for the zero

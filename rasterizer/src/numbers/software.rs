@@ -80,16 +80,16 @@ pub(super) const fn normalised_by_nibbles(value: u32) -> (u32, u32) {
     (rest << few, zeros + few)
 }
 
-/// A positive number shifted up to its most significant bit, and by how many bits: bit by bit.
+/// The leading zeros of a number, bit by bit; 0 has none.
 #[inline(always)]
-pub(super) const fn normalised_by_bits(value: u32) -> (u32, u32) {
+pub(super) const fn leading_zeros_by_bits(value: u32) -> u32 {
     let (mut rest, mut zeros) = (value, 0);
     // Positive as a signed number: neither the most significant bit nor 0.
     while rest.cast_signed() > 0 {
         rest <<= 1;
         zeros += 1;
     }
-    (rest, zeros)
+    zeros
 }
 
 /// The leading zeros of a number.
@@ -173,7 +173,7 @@ mod tests {
                 if value > 0 {
                     let normalised = (value << zeros, zeros);
                     assert_eq!(normalised_by_nibbles(value), normalised, "{value:#x}");
-                    assert_eq!(normalised_by_bits(value), normalised, "{value:#x}");
+                    assert_eq!(leading_zeros_by_bits(value), zeros, "{value:#x}");
                 }
             }
         }

@@ -32,6 +32,15 @@ impl Rgb565Be {
     pub const BLACK: Self = Self(0);
 
     /// A colour of 5 bits of red, 6 of green and 5 of blue. More significant bits are ignored.
+    ///
+    /// ```
+    /// use embedded_graphics_core::pixelcolor::Rgb565;
+    /// use rasterizer::output::Rgb565Be;
+    ///
+    /// const ORANGE: Rgb565Be = Rgb565Be::new(31, 40, 3);
+    /// assert_eq!(ORANGE, Rgb565::new(31, 40, 3).into());
+    /// assert_eq!(Rgb565Be::new(32 + 1, 64 + 2, 255), Rgb565Be::new(1, 2, 31));
+    /// ```
     #[must_use]
     pub const fn new(red: u8, green: u8, blue: u8) -> Self {
         let (red, green, blue) = (red as u16 & 31, green as u16 & 63, blue as u16 & 31);

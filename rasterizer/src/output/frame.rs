@@ -325,7 +325,7 @@ impl<C: StoredColor, B: DepthBuffer, R: Rows> Target for Frame<'_, C, B, R> {
     type Error = Infallible;
 
     fn window(&self) -> Window {
-        Window::within_range(&self.area)
+        Window::or_none(&self.area)
     }
 
     #[inline(always)]

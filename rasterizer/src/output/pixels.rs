@@ -177,10 +177,11 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
 
     /// Two pixels at a time.
     // codegen: not inlined, because it needs all registers. The place comes in parts, which are not
-    // passed to it if nobody reads them.
+    // passed to it if nobody reads them. The run comes by reference, because one that is passed by
+    // value lies in the caller's memory, where each step is stored.
     #[inline(never)]
     fn draw_long<C: Copy, O: Outcome<C>>(
-        self,
+        &self,
         colors: &mut [C],
         cells: &mut [D],
         column: i32,

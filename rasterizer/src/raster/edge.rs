@@ -26,7 +26,8 @@ use crate::numbers::{IS_NARROW, Subpixel, divide, divide_small};
 /// An edge on its way down the rows.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    /// The address of the boundary in the current row.
+    /// The address of the boundary in the current row, modulo 2^32: one that is not drawn can lie
+    /// beyond any address.
     pub(super) boundary: i32,
     /// The edge function at the boundary's centre, without its S lowest bits: from 0 to dy - 1.
     function: i32,
@@ -95,9 +96,9 @@ impl Edge {
         let function = ((-x & (2 * half - 1)) * dy - rest) >> S::BITS;
         let (column, function) = carried(column, function, dy);
         Self {
-            boundary: layout.row_address(row) + column,
+            boundary: layout.row_address(row).wrapping_add(column),
             function,
-            stride: columns + layout.pitch,
+            stride: columns.wrapping_add(layout.pitch),
             remainder,
             dy,
         }
@@ -107,8 +108,11 @@ impl Edge {
     #[inline(always)]
     pub(super) const fn step(&mut self) {
         // codegen: computed in registers and stored once.
-        let (boundary, function) =
-            carried(self.boundary + self.stride, self.function - self.remainder, self.dy);
+        let (boundary, function) = carried(
+            self.boundary.wrapping_add(self.stride),
+            self.function - self.remainder,
+            self.dy,
+        );
         (self.boundary, self.function) = (boundary, function);
     }
 }
@@ -120,9 +124,9 @@ const fn carried(boundary: i32, function: i32, dy: i32) -> (i32, i32) {
         // codegen: operands that are shifted on the way take two instructions less than a
         // condition.
         let is_negative = function >> 31;
-        (boundary - is_negative, function + (dy & is_negative))
+        (boundary.wrapping_sub(is_negative), function + (dy & is_negative))
     } else if function < 0 {
-        (boundary + 1, function + dy)
+        (boundary.wrapping_add(1), function + dy)
     } else {
         (boundary, function)
     }

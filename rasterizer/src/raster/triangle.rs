@@ -182,7 +182,7 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Sorted<'_, S, D, V> {
     /// display's first row.
     #[inline(always)]
     const fn to_first(self, origin: i32) -> [i32; 2] {
-        [origin - (self.top.x >> S::BITS), -(self.top.y >> S::BITS)]
+        [origin.wrapping_sub(self.top.x >> S::BITS), -(self.top.y >> S::BITS)]
     }
 
     #[inline(always)]
@@ -241,8 +241,8 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Sorted<'_, S, D, V> {
                 let (mut start, mut end) = (left.boundary, right.boundary);
                 if extent.is_cut {
                     let address = layout.row_address(row);
-                    start = start.max(address + window.left);
-                    end = end.min(address + window.right).max(start);
+                    start = start.max(address.wrapping_add(window.left));
+                    end = end.min(address.wrapping_add(window.right)).max(start);
                 }
                 // No address is negative. Compared as unsigned numbers they tell a target that
                 // `start` is the lesser.

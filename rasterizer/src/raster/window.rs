@@ -2,17 +2,19 @@
 
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A half-open rectangle of pixels.
+/// How far the sides of a window may lie from the display's origin.
+///
+/// A primitive adds a side to an address, and compares it with a column, without overflow.
+const REACH: i32 = 1 << 29;
+
+/// A half-open rectangle of pixels, none of which lies farther than 2<sup>29</sup> from the
+/// display's origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Window {
-    /// The first column.
-    pub left: i32,
-    /// The first row.
-    pub top: i32,
-    /// The column after the last.
-    pub right: i32,
-    /// The row after the last.
-    pub bottom: i32,
+    pub(crate) left: i32,
+    pub(crate) top: i32,
+    pub(crate) right: i32,
+    pub(crate) bottom: i32,
 }
 
 impl Window {
@@ -21,15 +23,14 @@ impl Window {
     pub const fn new(rectangle: &Rectangle) -> Self {
         let (corner, size) = (rectangle.top_left, rectangle.size);
         Self {
-            left: corner.x,
-            top: corner.y,
-            right: corner.x.saturating_add_unsigned(size.width),
-            bottom: corner.y.saturating_add_unsigned(size.height),
+            left: within_reach(corner.x),
+            top: within_reach(corner.y),
+            right: within_reach(corner.x.saturating_add_unsigned(size.width)),
+            bottom: within_reach(corner.y.saturating_add_unsigned(size.height)),
         }
     }
 
-    /// The pixels of a rectangle within the range of `i32`: 40 bytes of flash less than
-    /// [`new`](Self::new). One that reaches beyond it has no pixels.
+    /// The pixels of a rectangle whose sides are known to be within reach.
     #[inline(always)]
     pub(crate) const fn within_range(rectangle: &Rectangle) -> Self {
         let (corner, size) = (rectangle.top_left, rectangle.size);
@@ -39,6 +40,44 @@ impl Window {
             right: corner.x.wrapping_add(size.width as i32),
             bottom: corner.y.wrapping_add(size.height as i32),
         }
+    }
+
+    /// The pixels of a rectangle, or none if one of its sides is out of reach: fewer instructions
+    /// than [`new`](Self::new).
+    #[inline(always)]
+    pub(crate) const fn or_none(rectangle: &Rectangle) -> Self {
+        let window = Self::within_range(rectangle);
+        let Self { left, top, right, bottom } = window;
+        let sides = left.wrapping_add(REACH)
+            | top.wrapping_add(REACH)
+            | right.wrapping_add(REACH)
+            | bottom.wrapping_add(REACH);
+        // From 0 to 2^30 - 1 each.
+        if sides as u32 >> 30 == 0 { window } else { Self { left: 0, top: 0, right: 0, bottom: 0 } }
+    }
+
+    /// The first column.
+    #[must_use]
+    pub const fn left(&self) -> i32 {
+        self.left
+    }
+
+    /// The first row.
+    #[must_use]
+    pub const fn top(&self) -> i32 {
+        self.top
+    }
+
+    /// The column after the last.
+    #[must_use]
+    pub const fn right(&self) -> i32 {
+        self.right
+    }
+
+    /// The row after the last.
+    #[must_use]
+    pub const fn bottom(&self) -> i32 {
+        self.bottom
     }
 
     /// Whether it holds no pixel.
@@ -56,6 +95,17 @@ impl Window {
             right: self.right.min(other.right),
             bottom: self.bottom.min(other.bottom),
         }
+    }
+}
+
+/// The nearest side that is within reach.
+const fn within_reach(side: i32) -> i32 {
+    if side < -REACH {
+        -REACH
+    } else if side > REACH {
+        REACH
+    } else {
+        side
     }
 }
 

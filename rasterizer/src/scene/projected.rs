@@ -110,9 +110,8 @@ where
                 match seen.shader.face(surface, &face, &Gradients::of(&triangle)) {
                     Face::Solid(color) => blending.fill(target, &triangle, &window, color),
                     Face::Shaded(face) => {
-                        blending.shade(target, &triangle, &window, move |fragment| {
-                            seen.shader.pixel(surface, &face, fragment)
-                        })
+                        let pixels = seen.shader.pixels(surface, face);
+                        blending.shade(target, &triangle, &window, pixels)
                     }
                 }
             })

@@ -121,6 +121,18 @@ pub trait Shader: Clone {
         face: &Self::Face,
         fragment: Fragment<Sample<Self>>,
     ) -> Self::Outcome;
+
+    /// Returns [`pixel`](Self::pixel) for the pixels of one triangle. The loop over pixels keeps
+    /// what it holds by value in registers: a shader that reads little of its surface at each pixel
+    /// can take a copy of that here.
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Self::Surface,
+        face: Self::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> Self::Outcome + Copy {
+        move |fragment| self.pixel(surface, &face, fragment)
+    }
 }
 
 /// The varyings of a shader's vertices on the screen.

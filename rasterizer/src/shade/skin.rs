@@ -5,6 +5,7 @@ use core::marker::PhantomData;
 use crate::{
     attribute::{Corrected, Correction, Interpolate, PerspectiveCorrect, Varyings},
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
+    numbers::codegen,
     raster::Gradients,
     texture::{CoordinateFormat, Filter, Footprint, Texel, TexelMap, Texels, TextureVarying},
 };
@@ -188,13 +189,14 @@ pub struct Covered<S, P> {
     pub(super) color: P,
 }
 
-/// A texel of a material without texture.
-// codegen: a call that is never made keeps the loads of both cases apart, so that a pixel of a
+/// A texel of a material without texture, in a shader that draws these in one colour, so that no
+/// pixel comes here.
+// codegen: a call that cannot be computed beforehand keeps both cases apart, so that a pixel of a
 // texture takes one branch, which is not taken, and no more registers.
 #[cold]
 #[inline(never)]
-pub(super) fn bare<C, T: Texel<C>>(color: C) -> T {
-    T::opaque(color)
+pub(super) fn bare<P, C: From<P>, T: Texel<C>>(color: P) -> T {
+    T::opaque(C::from(codegen::unknown(color)))
 }
 
 /// A square of two triangles that fills a picture, for the tests of shaders.

@@ -133,17 +133,29 @@ where
     fn pixel(
         &self,
         surface: &Self::Surface,
-        face: &FaceOf<S, F>,
+        face: &Self::Face,
         fragment: Fragment<Sample<Self>>,
     ) -> TexelOf<S> {
-        surface.slot.texture_or(
-            |texture| {
-                Skin::<S, F, M, C>::texel(texture, face, fragment.varyings, |texels, index| {
-                    texels.texel(index)
-                })
-            },
-            || bare(surface.color),
-        )
+        self.pixels(surface, *face)(fragment)
+    }
+
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Self::Surface,
+        face: Self::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> + Copy {
+        let Covered { slot, color } = *surface;
+        move |fragment| {
+            slot.texture_or(
+                |texture| {
+                    Skin::<S, F, M, C>::texel(texture, &face, fragment.varyings, |texels, index| {
+                        texels.texel(index)
+                    })
+                },
+                || bare(color),
+            )
+        }
     }
 }
 
@@ -159,8 +171,8 @@ mod tests {
         attribute::{Affine, Every, EveryPixel},
         scene::ProjectError,
         texture::{
-            Bilinear, Clamp, Colors, Indexed, Keyed, Mipmaps, NearestMip, PerPixel, PerTriangle,
-            Repeat, Texture, Trilinear, Wrap,
+            Bilinear, Clamp, ColorSlice, Colors, DynamicTexture, Indexed, Keyed, Mipmaps,
+            NearestMip, PerPixel, PerTriangle, Repeat, Texture, Trilinear, Wrap,
         },
     };
 
@@ -208,6 +220,13 @@ mod tests {
         type Places<'a> = Indexed<'a, Gray8, 4, 8, 16>;
         let indexed: Picture<Places<'_>> = [Some(Texture::new(Indexed::new(&PLACES, &GRAYS)))];
         assert!(is_enlarged(&drawn(&Textured::new(&indexed), false).unwrap()));
+    }
+
+    #[test]
+    fn sizes_may_be_known_at_run_time() {
+        let texels = ColorSlice::new(&GRAYS).unwrap();
+        let texture: DynamicTexture<_> = DynamicTexture::new(texels, 4, 4).unwrap();
+        assert!(is_enlarged(&drawn(&Textured::new(&[texture]), false).unwrap()));
     }
 
     #[test]

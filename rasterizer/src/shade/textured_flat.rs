@@ -131,18 +131,30 @@ where
     fn pixel(
         &self,
         surface: &Self::Surface,
-        (face, light): &Self::Face,
+        face: &Self::Face,
         fragment: Fragment<Sample<Self>>,
     ) -> TexelOf<S> {
-        surface.slot.texture_or(
-            |texture| {
-                Skin::<S, F, M, C>::texel(texture, face, fragment.varyings, |texels, index| {
-                    texels.before_light(index, *light)
-                })
-                .recolored(|color| TexelsOf::<S>::after_light(color, *light))
-            },
-            || bare(surface.color.into()),
-        )
+        self.pixels(surface, *face)(fragment)
+    }
+
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Self::Surface,
+        (face, light): Self::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> + Copy {
+        let Covered { slot, color } = *surface;
+        move |fragment| {
+            slot.texture_or(
+                |texture| {
+                    Skin::<S, F, M, C>::texel(texture, &face, fragment.varyings, |texels, index| {
+                        texels.before_light(index, light)
+                    })
+                    .recolored(|color| TexelsOf::<S>::after_light(color, light))
+                },
+                || bare(color),
+            )
+        }
     }
 }
 

@@ -137,20 +137,32 @@ where
     fn pixel(
         &self,
         surface: &Self::Surface,
-        face: &FaceOf<S, F>,
+        face: &Self::Face,
         fragment: Fragment<Sample<Self>>,
     ) -> TexelOf<S> {
-        let (place, level) = fragment.varyings;
-        let light = TexelsOf::<S>::light(level.value.to_bits());
-        surface.slot.texture_or(
-            |texture| {
-                Skin::<S, F, M, C>::texel(texture, face, place, |texels, index| {
-                    texels.before_light(index, light)
-                })
-                .recolored(|color| TexelsOf::<S>::after_light(color, light))
-            },
-            || TexelOf::<S>::opaque(TexelsOf::<S>::plain(surface.color, light)),
-        )
+        self.pixels(surface, *face)(fragment)
+    }
+
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Self::Surface,
+        face: Self::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> + Copy {
+        let Covered { slot, color } = *surface;
+        move |fragment| {
+            let (place, level) = fragment.varyings;
+            let light = TexelsOf::<S>::light(level.value.to_bits());
+            slot.texture_or(
+                |texture| {
+                    Skin::<S, F, M, C>::texel(texture, &face, place, |texels, index| {
+                        texels.before_light(index, light)
+                    })
+                    .recolored(|color| TexelsOf::<S>::after_light(color, light))
+                },
+                || TexelOf::<S>::opaque(TexelsOf::<S>::plain(color, light)),
+            )
+        }
     }
 }
 

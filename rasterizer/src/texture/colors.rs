@@ -2,7 +2,7 @@
 
 use super::{
     Counts, LitTexels, Mix, StoredTexels, Table, Texels,
-    texels::{level_of_varying, varying_of_level},
+    texels::{level_of_varying, lit_after_filtering, varying_of_level},
 };
 
 /// `N` texels in the target's own colour type, such as `Rgb565` or, in the byte order of a bus,
@@ -46,34 +46,7 @@ impl<C: Copy + PartialEq, const N: usize> StoredTexels for Colors<'_, C, N> {
     }
 }
 
-impl<C: Mix, const N: usize> LitTexels for Colors<'_, C, N> {
-    type Light = u32;
-
-    #[inline(always)]
-    fn varying(level: u32) -> u16 {
-        varying_of_level::<C>(level)
-    }
-
-    #[inline(always)]
-    fn light(varying: u32) -> u32 {
-        level_of_varying::<C>(varying)
-    }
-
-    #[inline(always)]
-    fn before_light(&self, index: usize, _: u32) -> C {
-        self.texel(index)
-    }
-
-    #[inline(always)]
-    fn after_light(color: C, light: u32) -> C {
-        color.lit(light)
-    }
-
-    #[inline(always)]
-    fn plain(color: C, light: u32) -> C {
-        color.lit(light)
-    }
-}
+lit_after_filtering!([C: Mix, const N: usize] Colors<'_, C, N>);
 
 /// An element of a table that is not empty. Indices past the end are wrapped or clamped, so that
 /// none can panic; for a power of two that is a mask, which compilers leave out where they know

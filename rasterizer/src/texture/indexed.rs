@@ -3,7 +3,7 @@
 use super::{
     Counts, LitTexels, Mix, StoredTexels, Table, Texels,
     colors::at,
-    texels::{level_of_varying, varying_of_level},
+    texels::{level_of_varying, lit_after_filtering, varying_of_level},
 };
 
 /// The parts of a byte that texels of `BITS` bits are.
@@ -20,6 +20,14 @@ impl<const BITS: usize> Packing<BITS> {
         );
         (8 / BITS as u32).trailing_zeros()
     };
+
+    /// Panics, in a constant, if a palette has not one colour for each place.
+    pub(super) const fn check_palette(colors: usize) {
+        assert!(
+            Self::PART_BITS <= 3 && colors == 1 << BITS,
+            "the palette has as many colours as its places have"
+        );
+    }
 
     /// The part of its byte that a texel is.
     #[inline(always)]
@@ -70,8 +78,7 @@ impl<'a, C, const BITS: usize, const BYTES: usize, const COLORS: usize>
     #[must_use]
     pub const fn new(bytes: &'a [u8; BYTES], palette: &'a [C; COLORS]) -> Self {
         const {
-            assert!(Packing::<BITS>::PART_BITS <= 3);
-            assert!(COLORS == 1 << BITS, "the palette has as many colours as its places have");
+            Packing::<BITS>::check_palette(COLORS);
             assert!(BYTES > 0, "a texture has texels");
         }
         Self { bytes, palette }
@@ -112,36 +119,10 @@ impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Stored
     }
 }
 
-impl<C: Mix, const BITS: usize, const BYTES: usize, const COLORS: usize> LitTexels
-    for Indexed<'_, C, BITS, BYTES, COLORS>
-{
-    type Light = u32;
-
-    #[inline(always)]
-    fn varying(level: u32) -> u16 {
-        varying_of_level::<C>(level)
-    }
-
-    #[inline(always)]
-    fn light(varying: u32) -> u32 {
-        level_of_varying::<C>(varying)
-    }
-
-    #[inline(always)]
-    fn before_light(&self, index: usize, _: u32) -> C {
-        self.texel(index)
-    }
-
-    #[inline(always)]
-    fn after_light(color: C, light: u32) -> C {
-        color.lit(light)
-    }
-
-    #[inline(always)]
-    fn plain(color: C, light: u32) -> C {
-        color.lit(light)
-    }
-}
+lit_after_filtering!(
+    [C: Mix, const BITS: usize, const BYTES: usize, const COLORS: usize]
+    Indexed<'_, C, BITS, BYTES, COLORS>
+);
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,9 @@
 //! Texels of which some are transparent.
 
-use super::{Counts, LitTexels, StoredTexels, Table, Texels, colors::at, indexed::Packing};
+use super::{
+    Counts, LitTexels, StoredTexels, Table, Texels, colors::at, indexed::Packing,
+    texels::transparent,
+};
 
 /// Texels of which those with one stored value, the key, are transparent: a colour, or with a
 /// palette a place in it.
@@ -23,51 +26,10 @@ impl<F: StoredTexels> Keyed<F> {
     }
 }
 
-impl<F: StoredTexels> Texels for Keyed<F> {
-    type Color = F::Color;
-    type Texel = Option<F::Color>;
-
-    fn counts(&self) -> Counts {
-        self.texels.counts()
-    }
-
-    #[inline(always)]
-    fn texel(&self, index: usize) -> Option<F::Color> {
-        self.is_opaque(index).then(|| self.texels.texel(index))
-    }
-}
+transparent!([StoredTexels] Keyed<F>, |keyed| keyed.texels.counts());
 
 impl<F: StoredTexels + Table> Table for Keyed<F> {
     const COUNTS: Counts = F::COUNTS;
-}
-
-impl<F: StoredTexels + LitTexels> LitTexels for Keyed<F> {
-    type Light = F::Light;
-
-    #[inline(always)]
-    fn varying(level: u32) -> u16 {
-        F::varying(level)
-    }
-
-    #[inline(always)]
-    fn light(varying: u32) -> F::Light {
-        F::light(varying)
-    }
-
-    #[inline(always)]
-    fn before_light(&self, index: usize, light: F::Light) -> Option<F::Color> {
-        self.is_opaque(index).then(|| self.texels.before_light(index, light))
-    }
-
-    #[inline(always)]
-    fn after_light(color: F::Color, light: F::Light) -> F::Color {
-        F::after_light(color, light)
-    }
-
-    #[inline(always)]
-    fn plain(color: F::Color, light: F::Light) -> F::Color {
-        F::plain(color, light)
-    }
 }
 
 /// Texels with an alpha plane of `BITS` bits, 1, 4 or 8 (or 2), in `BYTES` bytes, packed like
@@ -115,57 +77,15 @@ pub(super) const fn is_half<const BITS: usize>(byte: u8, index: usize) -> bool {
     Packing::<BITS>::unpack(byte, index) >> (BITS - 1) != 0
 }
 
-impl<F: Texels<Texel = <F as Texels>::Color>, const BITS: usize, const BYTES: usize> Texels
-    for Masked<'_, F, BITS, BYTES>
-{
-    type Color = F::Color;
-    type Texel = Option<F::Color>;
-
-    fn counts(&self) -> Counts {
-        self.texels.counts().and(Counts::in_bytes(BYTES, BITS))
-    }
-
-    #[inline(always)]
-    fn texel(&self, index: usize) -> Option<F::Color> {
-        self.is_opaque(index).then(|| self.texels.texel(index))
-    }
-}
+transparent!(
+    [Copy, const BITS: usize, const BYTES: usize] Masked<'_, F, BITS, BYTES>,
+    |masked| masked.texels.counts().and(Counts::in_bytes(BYTES, BITS))
+);
 
 impl<F: Table<Texel = <F as Texels>::Color>, const BITS: usize, const BYTES: usize> Table
     for Masked<'_, F, BITS, BYTES>
 {
     const COUNTS: Counts = F::COUNTS.and(Counts::in_bytes(BYTES, BITS));
-}
-
-impl<F: LitTexels<Texel = <F as Texels>::Color>, const BITS: usize, const BYTES: usize> LitTexels
-    for Masked<'_, F, BITS, BYTES>
-{
-    type Light = F::Light;
-
-    #[inline(always)]
-    fn varying(level: u32) -> u16 {
-        F::varying(level)
-    }
-
-    #[inline(always)]
-    fn light(varying: u32) -> F::Light {
-        F::light(varying)
-    }
-
-    #[inline(always)]
-    fn before_light(&self, index: usize, light: F::Light) -> Option<F::Color> {
-        self.is_opaque(index).then(|| self.texels.before_light(index, light))
-    }
-
-    #[inline(always)]
-    fn after_light(color: F::Color, light: F::Light) -> F::Color {
-        F::after_light(color, light)
-    }
-
-    #[inline(always)]
-    fn plain(color: F::Color, light: F::Light) -> F::Color {
-        F::plain(color, light)
-    }
 }
 
 #[cfg(test)]

@@ -14,7 +14,8 @@
 //!
 //! A texture is a constant table that can stay in flash. Its format, its size and its borders are
 //! types, so that the loop over pixels is compiled for them: [`Texture`], and with mip levels
-//! [`Mipmaps`]. Wrong tables do not compile.
+//! [`Mipmaps`]. Wrong tables do not compile. [`DynamicTexture`] has a size that is known at run
+//! time, and slices for tables.
 //!
 //! | texels | bits each | |
 //! |---|---|---|
@@ -39,6 +40,7 @@
 
 mod colors;
 mod coordinates;
+mod dynamic;
 mod filter;
 mod footprint;
 mod grid;
@@ -47,8 +49,8 @@ mod indexed;
 mod masked;
 mod mipmaps;
 mod mix;
-mod outcome;
 mod shaded;
+mod slices;
 mod texel;
 mod texels;
 mod varying;
@@ -56,6 +58,7 @@ mod wrap;
 
 pub use colors::Colors;
 pub use coordinates::{CoordinateFormat, Coordinates, Place};
+pub use dynamic::{DynamicTexture, TextureError};
 pub use filter::{
     Bilinear, BilinearMip, Filter, LevelChoice, Nearest, NearestMip, PerPixel, PerTriangle,
     Trilinear,
@@ -67,9 +70,9 @@ pub use indexed::Indexed;
 pub use masked::{Keyed, Masked};
 pub use mipmaps::{Levels, Mipmapped, Mipmaps};
 pub use mix::Mix;
-pub use outcome::Outcome;
 pub use shaded::{SHADES, Shaded};
-pub use texel::Texel;
+pub use slices::{ColorSlice, IndexedSlice, MaskedSlice, ShadedSlice};
+pub use texel::{Outcome, Texel};
 pub use texels::{Counts, LitTexels, StoredTexels, Table, Texels};
 pub use varying::{TextureVarying, WithInverseW};
 pub use wrap::{Clamp, MAX_SIDE, Mirror, Pair, Repeat, Side, Wrap};

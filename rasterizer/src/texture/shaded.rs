@@ -24,8 +24,7 @@ impl<'a, C, const BITS: usize, const BYTES: usize, const COLORS: usize>
     #[must_use]
     pub const fn new(bytes: &'a [u8; BYTES], palettes: &'a [[C; COLORS]; SHADES]) -> Self {
         const {
-            assert!(Packing::<BITS>::PART_BITS <= 3);
-            assert!(COLORS == 1 << BITS, "the palette has as many colours as its places have");
+            Packing::<BITS>::check_palette(COLORS);
             assert!(BYTES > 0, "a texture has texels");
         }
         Self { bytes, palettes }
@@ -113,7 +112,7 @@ pub(super) const fn shade_of_varying(varying: u32) -> usize {
 /// The level of [`Mix::lit`] that a row stands for, r / 31 in units of 2^-bits, rounded: 1 / 31 is
 /// 1057 / 2^15 within 2^-15 of itself.
 #[inline(always)]
-const fn level_of_shade(shade: usize, bits: u32) -> u32 {
+pub(super) const fn level_of_shade(shade: usize, bits: u32) -> u32 {
     (((shade as u32) << bits) * 1057 + (1 << 14)) >> 15
 }
 

@@ -117,6 +117,92 @@ pub(super) const fn level_of_varying<C: Mix>(varying: u32) -> u32 {
     varying >> (31 - C::LIGHT_BITS)
 }
 
+/// [`LitTexels`] for texels that are lit after filtering, by the levels of [`Mix`].
+macro_rules! lit_after_filtering {
+    ([$($parameters:tt)*] $texels:ty) => {
+        impl<$($parameters)*> LitTexels for $texels {
+            type Light = u32;
+
+            #[inline(always)]
+            fn varying(level: u32) -> u16 {
+                varying_of_level::<C>(level)
+            }
+
+            #[inline(always)]
+            fn light(varying: u32) -> u32 {
+                level_of_varying::<C>(varying)
+            }
+
+            #[inline(always)]
+            fn before_light(&self, index: usize, _: u32) -> C {
+                self.texel(index)
+            }
+
+            #[inline(always)]
+            fn after_light(color: C, light: u32) -> C {
+                color.lit(light)
+            }
+
+            #[inline(always)]
+            fn plain(color: C, light: u32) -> C {
+                color.lit(light)
+            }
+        }
+    };
+}
+
+/// [`Texels::texel`] and [`LitTexels`] for texels of which those that are not `is_opaque` are
+/// transparent.
+macro_rules! transparent {
+    ([$($parameters:tt)*] $texels:ty, $counts:expr) => {
+        impl<F: Texels<Texel = <F as Texels>::Color> + $($parameters)*> Texels for $texels {
+            type Color = F::Color;
+            type Texel = Option<F::Color>;
+
+            fn counts(&self) -> Counts {
+                let counts: fn(&Self) -> Counts = $counts;
+                counts(self)
+            }
+
+            #[inline(always)]
+            fn texel(&self, index: usize) -> Option<F::Color> {
+                self.is_opaque(index).then(|| self.texels.texel(index))
+            }
+        }
+
+        impl<F: LitTexels<Texel = <F as Texels>::Color> + $($parameters)*> LitTexels for $texels {
+            type Light = F::Light;
+
+            #[inline(always)]
+            fn varying(level: u32) -> u16 {
+                F::varying(level)
+            }
+
+            #[inline(always)]
+            fn light(varying: u32) -> F::Light {
+                F::light(varying)
+            }
+
+            #[inline(always)]
+            fn before_light(&self, index: usize, light: F::Light) -> Option<F::Color> {
+                self.is_opaque(index).then(|| self.texels.before_light(index, light))
+            }
+
+            #[inline(always)]
+            fn after_light(color: F::Color, light: F::Light) -> F::Color {
+                F::after_light(color, light)
+            }
+
+            #[inline(always)]
+            fn plain(color: F::Color, light: F::Light) -> F::Color {
+                F::plain(color, light)
+            }
+        }
+    };
+}
+
+pub(super) use {lit_after_filtering, transparent};
+
 #[cfg(test)]
 mod tests {
     use embedded_graphics_core::pixelcolor::{Gray8, Rgb565};

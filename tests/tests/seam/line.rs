@@ -29,8 +29,8 @@ impl<D: DepthFormat, V: Linear> Primitive for HorizontalLine<D, V> {
         layout: Layout,
         mut visit: impl FnMut(&Span<'_, D, V>) -> Result<(), E>,
     ) -> Result<(), E> {
-        let (left, right) = (self.left.max(window.left), self.right.min(window.right));
-        if left >= right || !(window.top..window.bottom).contains(&self.row) {
+        let (left, right) = (self.left.max(window.left()), self.right.min(window.right()));
+        if left >= right || !(window.top()..window.bottom()).contains(&self.row) {
             return Ok(());
         }
         let address = layout.row_address(self.row);

@@ -254,6 +254,15 @@ fn emitted_textures_read_back_the_same() {
 }
 
 #[test]
+fn a_table_without_gaps_needs_no_options() {
+    let library = "newmtl a\nmap_Kd my wood.png\nnewmtl b\nmap_Kd my wood.png\n";
+    let source = emit::source(&converted(library, &Options::default()).unwrap());
+    assert!(source.contains("pub static M_TEXTURES: [MTexture; 2] = {"), "{source}");
+    let texture = "        MTexture::new(Indexed::new(&TEXELS_0, &PALETTE_0)),\n";
+    assert!(source.contains(&texture.repeat(2)), "{source}");
+}
+
+#[test]
 fn no_picture_makes_it_panic() {
     let mut generator = Random(7);
     let mut random = |below: usize| generator.snapped(0.0, (below - 1) as f64, 1.0) as usize;

@@ -51,7 +51,7 @@ pub(super) struct Block<V: Components> {
     /// 30 - k.
     pub(super) down: u32,
     /// The leading zeros of the largest q.
-    zeros: u32,
+    pub(super) zeros: u32,
 }
 
 /// 1 / w and numerators at a pixel: Q32.32.
@@ -237,7 +237,7 @@ fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
 
 /// The digits before the point.
 #[inline(always)]
-const fn upper(value: u64) -> i32 {
+pub(super) const fn upper(value: u64) -> i32 {
     (value >> 32) as i32
 }
 
@@ -301,7 +301,7 @@ impl<V: Components> AtPixel<V> {
 impl<V: Components> Block<V> {
     pub(super) const ZERO: Self = Self { base: V::ZEROS, down: 0, zeros: 0 };
 
-    /// near / w from q, or its change.
+    /// near / w from q.
     #[inline(always)]
     pub(super) const fn inverse_w(&self, q: u32) -> u32 {
         (q << 1) >> self.zeros

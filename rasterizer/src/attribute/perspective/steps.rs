@@ -4,9 +4,9 @@ use core::marker::PhantomData;
 
 use super::{
     Corrected, Correction, Pace, Quotient,
-    division::{Division, Scaled},
+    division::Division,
     pace::Law,
-    quotient::Corners,
+    quotient::{AtPixel, Corners},
 };
 use crate::{
     attribute::{
@@ -220,10 +220,10 @@ impl<V: Components> Iterator for Rest<V> {
 pub struct Pieces<V: Components> {
     /// The numbers at the next pixel.
     value: V::Each<i32>,
-    at: Scaled<V>,
-    /// From a pixel to the next, and along a whole step.
-    step: Scaled<V>,
-    stride: Scaled<V>,
+    at: AtPixel<V>,
+    /// Along a whole step.
+    stride: AtPixel<V>,
+    last: AtPixel<V>,
     division: Division<V>,
     /// The pixels of a step.
     length: usize,
@@ -236,15 +236,18 @@ impl<V: Components> Pieces<V> {
     #[inline(always)]
     fn new<P: Pace>(field: &Quotient<V>, law: &Law<V>, at: [i32; 2], pixels: usize) -> Self {
         let rows = field.rows(at[1]);
-        let (at, step, division) = field.along_span(at, pixels);
-        let last = at.q.wrapping_add(step.q.wrapping_mul(pixels as u32 - 1));
-        let division = division.quick_if(P::may_be_quick(law), [at.q, last]);
-        let length = P::pixels(law, &division, rows, [at.q, last]);
+        let (first, change) = (field.at(at), field.along_row());
+        let last = first.plus(&change.times(pixels as i32 - 1));
+        let division = Division::between(&first, &last, field.block);
+        let (at, last) = (division.scaled(first), division.scaled(last));
+        let ends = [at.q(), last.q()];
+        let division = division.quick_if(P::may_be_quick(law), ends);
+        let length = P::pixels(law, &division, rows, ends);
         Self {
             value: division.numbers(&at),
             at,
-            step,
-            stride: step.times(length),
+            stride: division.scaled(change.times(length as i32)),
+            last,
             division,
             length,
             pixels,
@@ -255,30 +258,33 @@ impl<V: Components> Pieces<V> {
     /// last pixel, where the triangle has a value.
     #[inline(always)]
     fn piece(&mut self) -> Piece<SteppedWalk<V>> {
-        let (from, q) = (self.value, self.at.q);
-        let (mut pixels, mut way, mut stride) = (self.length, self.length, self.stride);
+        let (from, q) = (self.value, self.at.q());
+        let (mut pixels, mut way) = (self.length, self.length);
+        self.at = self.at.plus(&self.stride);
         if self.pixels <= pixels {
             (pixels, way) = (self.pixels, self.pixels - 1);
-            stride = self.step.times(way);
+            self.at = self.last;
         }
-        let mut step = V::ZEROS;
+        let (mut step, mut step_of_q) = (V::ZEROS, 0);
         if way != 0 {
-            self.at = self.at.plus(&stride);
             self.value = self.division.numbers(&self.at);
             for ((step, to), from) in
                 step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
             {
                 *step = part(to.wrapping_sub(*from), way);
             }
+            if V::READS_INVERSE_W {
+                step_of_q = part(self.at.q().wrapping_sub(q) as i32, way);
+            }
         }
         self.pixels -= pixels;
-        let walk = |numbers, q| SteppedWalk {
+        let walk = |numbers, inverse_w| SteppedWalk {
             numbers,
-            inverse_w: if V::READS_INVERSE_W { self.division.inverse_w(q) } else { 0 },
+            inverse_w: if V::READS_INVERSE_W { inverse_w } else { 0 },
         };
         Piece {
-            first: walk(V::walk_from(from), q),
-            step: walk(V::step_from(step), self.step.q),
+            first: walk(V::walk_from(from), self.division.inverse_w(q)),
+            step: walk(V::step_from(step), self.division.step_of_inverse_w(step_of_q)),
             pixels,
         }
     }
