@@ -100,4 +100,16 @@ impl<Sh: Shader<Color: ShownColor>> Shader for Probe<Sh> {
         let color = self.shader.pixel(surface, face, fragment).color()?;
         Some(Probed { color, coordinate })
     }
+
+    fn pixels(
+        &self,
+        surface: &Sh::Surface,
+        face: Sh::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> Option<Probed<Sh::Color>> + Copy {
+        let (pixels, read) = (self.shader.pixels(surface, face), self.read);
+        move |fragment| {
+            let coordinate = read(&fragment.varyings);
+            Some(Probed { color: pixels(fragment).color()?, coordinate })
+        }
+    }
 }
