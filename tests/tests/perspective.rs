@@ -7,6 +7,10 @@
 
 use std::convert::Infallible;
 
+use embedded_graphics::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
 use fixed::types::{I16F16, U16F16};
 use rasterizer::{
     attribute::{
@@ -20,7 +24,7 @@ use rasterizer::{
 };
 use rasterizer_tests::Random;
 
-const WINDOW: Window = Window { left: 0, top: 0, right: 320, bottom: 240 };
+const WINDOW: Window = Window::new(&Rectangle::new(Point::zero(), Size::new(320, 240)));
 
 /// A corner: its place in pixels, near / w, and what it carries.
 #[derive(Clone, Copy, Debug)]
