@@ -35,7 +35,7 @@ impl<C: From<Rgb888>> From<Rgb888> for Probed<C> {
     }
 }
 
-impl<C: Into<Rgb888>> From<Probed<C>> for Rgb888 {
+impl<C: Into<Self>> From<Probed<C>> for Rgb888 {
     fn from(probed: Probed<C>) -> Self {
         probed.color.into()
     }
