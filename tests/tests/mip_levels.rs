@@ -82,7 +82,7 @@ where
     let camera = Camera::at(eye, Rotation::IDENTITY, lens.unwrap(), picture).unwrap();
     let shader =
         Textured::new(&TEXTURE).filtered(filter).corrected(correction).with_wide_coordinates();
-    let mut pixels = [Gray8::new(255); WIDTH * HEIGHT];
+    let mut pixels = vec![Gray8::new(255); WIDTH * HEIGHT];
     let mut frame = Frame::without_depth(&mut pixels, picture).unwrap();
     draw(shader, &camera, &mut frame);
     let mut count = 0;

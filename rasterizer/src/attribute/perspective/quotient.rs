@@ -3,9 +3,9 @@
 //! # Formats
 //!
 //! The corners' q = near / w share a block exponent: they are shifted so that the largest has its
-//! most significant bit at 2^29. The numbers u are counted from the first corner's, d = u - u0, which
-//! takes off what all corners have in common, whole repeats of a texture for example. With d < 2^k,
-//! the numerators are
+//! most significant bit at 2^29. The numbers u are counted from the first corner's, d = u - u0,
+//! which takes off what all corners have in common, whole repeats of a texture for example. With
+//! d < 2^k, the numerators are
 //!
 //! ```text
 //!   s = d q / 2^(k + 1)        |s| < q / 2 <= 2^29
@@ -226,7 +226,7 @@ impl<V: Components> Quotient<V> {
 /// The digits before and those behind the point are multiplied by themselves, in products of 32
 /// bits: there are 18 behind it, and all three terms together are below 2^31.
 #[inline(always)]
-fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
+const fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
     joined(
         upper(plane.anchor)
             .wrapping_add(upper(plane.per_column).wrapping_mul(columns))
