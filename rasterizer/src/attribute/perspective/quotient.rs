@@ -276,10 +276,10 @@ impl<V: Components> AtPixel<V> {
         self
     }
 
-    /// q in the block's units, at least 1.
+    /// The digits of q before the point, at least 1: far away, rounding may make it 0 or less.
     #[inline(always)]
     pub(super) fn q(&self) -> u32 {
-        ((self.q >> 32) as u32).max(1)
+        upper(self.q).max(1).cast_unsigned()
     }
 
     /// The numbers at the pixel, modulo 2^32.
