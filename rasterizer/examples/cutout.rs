@@ -4,6 +4,7 @@
 //!
 //! `cargo run -p rasterizer --example cutout`
 
+#[expect(dead_code, reason = "the camera is another one")]
 mod common;
 /// What `host-tools convert --texture-format indexed4 --mipmaps` makes of `wooden_crate.obj`.
 #[path = "models/wooden_crate.rs"]

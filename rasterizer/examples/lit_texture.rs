@@ -116,15 +116,14 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let tilted = Rotation::about_z(Turn::degrees(20)) * Rotation::about_y(-Turn::degrees(100));
     let pose = Pose::rotated(tilted).scaled(size);
 
-    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; PLANET.vertex_count()];
+    // Without memory for vertices: each corner of a triangle is projected when it is drawn.
     let flat = Object::new(&PLANET, TexturedFlat::new(&MAPS, SUN).with_wide_coordinates());
     let flat = flat.posed(pose.at(const { Vec3::lit("-0.4", "0.4", "0") }));
-    flat.draw(&camera, &mut vertices, &mut frame)?;
+    flat.project_on_demand(&camera, S4)?.draw(&mut frame);
 
-    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; PLANET.vertex_count()];
     let smooth = Object::new(&PLANET, TexturedGouraud::new(&MAPS, SUN).with_wide_coordinates());
     let smooth = smooth.posed(pose.at(const { Vec3::lit("0.4", "-0.4", "0") }));
-    smooth.draw(&camera, &mut vertices, &mut frame)?;
+    smooth.project_on_demand(&camera, S4)?.draw(&mut frame);
     frame.present(screen)?;
     Ok(())
 }

@@ -5,6 +5,7 @@
 //!
 //! `cargo run -p rasterizer --example perspective_modes`
 
+#[expect(dead_code, reason = "the camera is another one")]
 mod common;
 
 use common::{Result, SCREEN, Screen};
