@@ -76,6 +76,11 @@ impl<const N: usize> Definition<N> {
     }
 }
 
+/// Q0.32.
+fn to_q32(inverse_w: f64) -> u32 {
+    (inverse_w * 2f64.powi(32)) as u32
+}
+
 /// Draws a triangle and visits its pixels in the window with what they see.
 fn pixels<S: Subpixel, V, M>(
     corners: [Corner<V>; 3],
@@ -89,7 +94,7 @@ where
     let places = corners.map(|corner| corner.at.map(|c| (c * unit).round() as i32));
     let vertices = [0, 1, 2].map(|i| {
         let Corner { inverse_w, value, .. } = corners[i];
-        let inverse_w = InverseW::from_bits((inverse_w * 2f64.powi(32)) as u32);
+        let inverse_w = InverseW::from_bits(to_q32(inverse_w));
         let varyings = PerspectiveCorrect::<V, M>::new(value).on_screen(inverse_w);
         let [x, y] = places[i];
         ScreenVertex::<S, NoDepth, _>::checked(x, y, NoDepth, varyings).unwrap()
@@ -141,7 +146,7 @@ where
     });
     let definition = Definition {
         places,
-        q: corners.map(|corner| (corner.inverse_w * 2f64.powi(32)).floor()),
+        q: corners.map(|corner| f64::from(to_q32(corner.inverse_w))),
         values: corners.map(|corner| corner.value.map(repeats)),
     };
     let mut worst = Worst::default();
@@ -219,7 +224,9 @@ fn random_triangle<T>(
             [middle[0] + part() * 60.0 - 30.0, middle[1] + part() * 60.0 - 30.0]
         };
         let value = [(part() - 0.5) * repeats, (part() - 0.5) * repeats].map(coordinate);
-        Corner { at, inverse_w: nearest * lengths[(i + turn) % 3] * 0.999, value }
+        // In a parallel projection near / w is 1 everywhere.
+        let inverse_w = if ratio == 1.0 { 1.0 } else { nearest * lengths[(i + turn) % 3] };
+        Corner { at, inverse_w, value }
     })
 }
 
@@ -328,6 +335,24 @@ fn adaptive_steps_are_within_their_tolerance() {
     are_within::<S4, Adaptive<64>>(64.0 / 16.0);
 }
 
+/// Where near / w is 1 at all corners, straight lines are right in every mode.
+#[test]
+fn parallel_projections_are_exact() {
+    fn is_exact<M: Correction>() {
+        let mut random = Random::new(9);
+        for _ in 0..60 {
+            let corners = random_triangle(&mut random, 1.0, 1.0, narrow);
+            let worst = worst::<S8, i16, 128, 128, Repeat, Repeat, M>(corners, 1.0 / 16.0);
+            assert!(worst.share < 1.0, "{worst:?}");
+        }
+    }
+    is_exact::<Affine>();
+    is_exact::<EveryPixel>();
+    is_exact::<Every<2>>();
+    is_exact::<Every<64>>();
+    is_exact::<Adaptive>();
+}
+
 /// A step's chord is off by |du| |√r - 1| / (√r + 1), which a larger tolerance would exceed here:
 /// the adaptive steps are not just short.
 #[test]
@@ -391,7 +416,7 @@ fn numbers_of_16_bits_are_exact() {
                 });
                 let definition = Definition {
                     places,
-                    q: corners.map(|corner| (corner.inverse_w * 2f64.powi(32)).floor()),
+                    q: corners.map(|corner| f64::from(to_q32(corner.inverse_w))),
                     values: numbers.map(|corner| [number(corner.value)]),
                 };
                 for (column, row, got) in seen {

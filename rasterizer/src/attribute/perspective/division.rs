@@ -22,6 +22,7 @@ impl<V: Components> Division<V> {
     /// Of a span between two pixels.
     #[inline(always)]
     pub(super) fn between(first: &AtPixel<V>, last: &AtPixel<V>, block: Block<V>) -> Self {
+        // Below 2^31.
         let largest = first.q().max(last.q());
         Self { block, up: leading_zeros(largest).max(1) - 1, is_quick: false }
     }
@@ -104,6 +105,6 @@ impl<V: Components> Division<V> {
     /// A change of near / w from that of q.
     #[inline(always)]
     pub(super) const fn step_of_inverse_w(&self, change: i32) -> u32 {
-        ((change >> self.up << 1) >> self.block.zeros) as u32
+        ((change >> self.up << 2) >> self.block.zeros) as u32
     }
 }
