@@ -1,5 +1,5 @@
-//! Varyings in perspective against their definition, u = Σ(bᵢ uᵢ qᵢ) / Σ(bᵢ qᵢ) with the barycentric
-//! coordinates bᵢ of a pixel's centre and qᵢ = near / w of the corners, in f64.
+//! Varyings in perspective against their definition, u = Σ(bᵢ uᵢ qᵢ) / Σ(bᵢ qᵢ) with the
+//! barycentric coordinates bᵢ of a pixel's centre and qᵢ = near / w of the corners, in f64.
 //!
 //! Where it is divided, a texture coordinate is within 1/16 of a texel or 1/256 of a pixel,
 //! whichever is more; with a tolerance within that or 1/256 of a pixel. A pixel's worth is how much
@@ -362,8 +362,8 @@ fn steps_are_as_long_as_the_tolerance_allows() {
     assert!(shares.iter().any(|&share| share > 0.5), "{shares:?}");
 }
 
-/// Steps of a fixed length: by the law for a wall that recedes from w = 1 to 2 over 300 pixels, with
-/// 64 texels in all, the chord over 16 pixels is off by up to 0.1 texel, over 64 by 1.2.
+/// Steps of a fixed length: by the law for a wall that recedes from w = 1 to 2 over 300 pixels,
+/// with 64 texels in all, the chord over 16 pixels is off by up to 0.1 texel, over 64 by 1.2.
 #[test]
 fn steps_of_a_fixed_length_follow_the_law() {
     fn off<M: Correction>() -> f64 {

@@ -47,8 +47,8 @@ pub(super) trait Rule {
     /// Whether 16 bits are enough for a division.
     fn may_be_quick<V: Components>(law: &Law<V>) -> bool;
 
-    /// The pixels of a step, 1 to 64, in a span this many rows below the anchor between these values
-    /// of q.
+    /// The pixels of a step, 1 to 64, in a span this many rows below the anchor between these
+    /// values of q.
     fn pixels<V: Components>(
         law: &Law<V>,
         division: &Division<V>,

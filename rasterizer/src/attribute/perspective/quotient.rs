@@ -3,9 +3,9 @@
 //! # Formats
 //!
 //! The corners' q = near / w share a block exponent: they are shifted so that the largest has its
-//! most significant bit at 2^29. The numbers u are counted from the first corner's, d = u - u0, which
-//! takes off what all corners have in common, whole repeats of a texture for example. With d < 2^k,
-//! the numerators are
+//! most significant bit at 2^29. The numbers u are counted from the first corner's, d = u - u0,
+//! which takes off what all corners have in common, whole repeats of a texture for example. With
+//! d < 2^k, the numerators are
 //!
 //! ```text
 //!   s = d q / 2^(k + 1)        |s| < q / 2 <= 2^29
