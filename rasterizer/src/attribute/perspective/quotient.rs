@@ -226,7 +226,7 @@ impl<V: Components> Quotient<V> {
 /// The digits before and those behind the point are multiplied by themselves, in products of 32
 /// bits: there are 18 behind it, and all three terms together are below 2^31.
 #[inline(always)]
-fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
+const fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
     joined(
         upper(plane.anchor)
             .wrapping_add(upper(plane.per_column).wrapping_mul(columns))
