@@ -201,7 +201,7 @@ impl Worst {
 }
 
 /// A triangle whose coordinates span up to `repeats` and whose distances have the ratio `ratio`:
-/// large, a sliver, or small.
+/// tiny, large, a sliver, or small.
 fn random_triangle<T>(
     random: &mut Random,
     repeats: f64,
@@ -215,7 +215,9 @@ fn random_triangle<T>(
     let shape = part();
     let middle = [part() * 320.0, part() * 240.0];
     [0, 1, 2].map(|i| {
-        let at = if shape < 0.5 {
+        let at = if shape < 0.1 {
+            [middle[0] + part() * 2.0, middle[1] + part() * 2.0]
+        } else if shape < 0.5 {
             [part() * 900.0 - 290.0, part() * 700.0 - 230.0]
         } else if shape < 0.75 {
             let along = part() * 600.0 - 300.0;
@@ -279,7 +281,7 @@ where
     for ratio in [1.0, 2.0, 10.0, 100.0, 1000.0] {
         let mut random = Random::new(ratio as u64);
         let mut triangles = vec![];
-        for _ in 0..60 {
+        for _ in 0..150 {
             triangles.push(random_triangle(&mut random, repeats, ratio, coordinate));
         }
         triangles.extend(receding(false, ratio, repeats, coordinate));
