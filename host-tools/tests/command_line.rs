@@ -337,11 +337,12 @@ fn without_a_command_everything_is_made() {
     }
     assert!(told.contains("Coverage mismatches") && told.contains("draw `a::A`"), "{told}");
     let told = succeed(path, "");
-    for name in names("rocket") {
-        assert!(path.join(&name).is_file() && told.contains(&name), "{name}: {told}");
+    for name in names("wooden_crate").iter().chain(&names("rocket")) {
+        assert!(path.join(name).is_file() && told.contains(name), "{name}: {told}");
     }
-    // The model, the directory and twice five files; nothing temporary.
-    assert_eq!(files(path).len(), 12);
+    assert!(told.contains("with `wooden_crate::WOODEN_CRATE_TEXTURES`"), "{told}");
+    // The model, the directory and three times five files; nothing temporary.
+    assert_eq!(files(path).len(), 17);
 }
 
 #[test]

@@ -155,6 +155,7 @@
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), or [your own](shade::Shader) |
 //! | texels | the texture's type | [formats](texture), sizes, and borders: [`Repeat`](texture::Repeat), [`Mirror`](texture::Mirror), [`Clamp`](texture::Clamp) |
 //! | texels of a pixel | the shader's filter | [`Nearest`](texture::Nearest), [`Bilinear`](texture::Bilinear), [`NearestMip`](texture::NearestMip), [`BilinearMip`](texture::BilinearMip), [`Trilinear`](texture::Trilinear) |
+//! | perspective of texture coordinates | the shader's mode, by `corrected` | [`Affine`](attribute::Affine), [`Every`](attribute::Every), [`Adaptive`](attribute::Adaptive), [`EveryPixel`](attribute::EveryPixel); of any varying by [`PerspectiveCorrect`](attribute::PerspectiveCorrect) |
 //! | pixels discarded or not | the shader's [`Outcome`](shade::Shader::Outcome) | a colour, or an `Option` of one |
 //! | byte order of a pixel | the shader's colour type | [`Rgb565Be`](output::Rgb565Be), in SPI order and filled by words, or [any other](output::StoredColor) |
 //! | vertices stored or not | a method of the object | [`project`](scene::Object::project), [`project_on_demand`](scene::Object::project_on_demand) |
@@ -198,6 +199,8 @@
 //! | positions in a mesh | 16 bits times the mesh's [`Scale`](numbers::Scale) | half a quantum: 1/131,068 of the longest side |
 //! | places on the screen | sub-pixels, 4 or 8 bits behind the point | half a sub-pixel of snapping and 1/8 of arithmetic, for objects up to some hundred near distances wide with 4 bits, some hundred thousand with 8 ([`PoseError`](geometry::PoseError) has the limit, beyond which an object is refused); ±1,024 pixels about the viewport's middle |
 //! | depth | Q0.16, Q0.32 or [floating-point](attribute::FloatDepth) in 16 bits, stepped with 16 or 18 more bits | 1 unit of the format |
+//! | texture coordinates | Q2.14, or Q8.24 for up to 64 repeats from 0; near / w with them in Q0.32 | 1/16 texel or 1/256 pixel, whichever is more, where they are divided ([`EveryPixel`](attribute::EveryPixel)); the tolerance, half a texel unless another is chosen, with [`Adaptive`](attribute::Adaptive); for textures of up to 1,024 texels and distances of up to 1:1,000 in a triangle |
+//! | mip levels | Q16.16 | 1/30 level for each pixel ([`PerPixel`](texture::PerPixel)) |
 //! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
 //!
 //! Any finite input gives the right picture or an error value before the first pixel: triangles
@@ -208,7 +211,8 @@
 //! # Not supported
 //!
 //! * Fog and antialiasing; lines and points.
-//! * Perspective-correct varyings: they are interpolated linearly on the screen.
+//! * Alpha that is blended: a texel is opaque or transparent. Textures over 1,024 texels wide or
+//!   high, and anisotropic filters.
 //! * Sorting from back to front. Objects that are blended or drawn without depth are drawn in the
 //!   order of the calls, their triangles in the order of the mesh.
 //! * Non-uniform scaling of objects.

@@ -8,5 +8,5 @@ pub use crate::{
     numbers::{Rotation, S4, S8, Scalar, Turn, Vec3},
     output::{Bands, Direct, Frame, Rgb565Be},
     scene::{Needs, Object},
-    shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
+    shade::{Flat, Gouraud, Level, Light, Shader, Textured, TexturedFlat, TexturedGouraud, Unlit},
 };

@@ -26,7 +26,7 @@ use clap::{
 
 const EXAMPLES: &str = "\
 Examples:
-  host-tools                        Convert, render and check the bundled rocket
+  host-tools                        Convert, render and check the bundled crate and rocket
   host-tools model.obj              Convert, render and check your own model
   host-tools convert model.obj      Only the tables: model.rs
   host-tools render model.obj       Only the picture that a display shows: model.png
@@ -44,7 +44,7 @@ Exit status: 0 for success, 1 if the check exceeds a bound, 2 for bad usage or b
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
-    /// The OBJ file to convert, render and check [default: the bundled rocket]
+    /// The OBJ file to convert, render and check [default: the bundled crate and rocket]
     #[arg(value_parser = PathBufValueParser::new().try_map(no_mistyped_command))]
     model: Option<PathBuf>,
     /// Overwrite files that are not from this program

@@ -1,4 +1,4 @@
-//! Without a command: converts, renders and checks one model.
+//! Without a command: converts, renders and checks a model, or two that are shipped.
 
 use std::{
     fs,
@@ -27,16 +27,34 @@ const DIRECTORY: &str = "target";
 const FRAMES: u32 = 12;
 
 pub(super) fn run(model: Option<&Path>, force: bool) -> Result<Done> {
-    let path = model.map_or_else(shipped_model, |path| Ok(path.into()))?;
-    let model = convert::load(&path, &Options::default())?;
+    let paths = model.map_or_else(shipped_models, |path| Ok(vec![path.into()]))?;
+    let shown: Vec<Shown> = paths.iter().map(|path| show(path, force)).collect::<Result<_>>()?;
+    let reports: Vec<&str> = shown.iter().map(|model| &*model.report).collect();
+    // One model is an example of what to do with any.
+    let next = shown.first().map_or("", |model| &model.next);
+    let output = format!("{}\n{next}More: host-tools --help\n", reports.join("\n"));
+    let is_within_bounds = shown.iter().all(|model| model.is_within_bounds);
+    Ok(Done { output: output.into(), is_within_bounds })
+}
+
+/// What is told of a model.
+struct Shown {
+    report: String,
+    /// What to do with it.
+    next: String,
+    is_within_bounds: bool,
+}
+
+fn show(path: &Path, force: bool) -> Result<Shown> {
+    let model = convert::load(path, &Options::default())?;
     let view = View { shading: Shading::of(&model), ..View::default() };
-    let picture = image::of_fixed(&render::draw(&path, &model, &view)?, image::BACKGROUND);
-    let worst = worst_frame(&path, &model, &view, FRAMES)?;
+    let picture = image::of_fixed(&render::draw(path, &model, &view)?, image::BACKGROUND);
+    let worst = worst_frame(path, &model, &view, FRAMES)?;
 
     fs::create_dir_all(DIRECTORY).map_err(|error| {
         anyhow!("{DIRECTORY}: {error}: the results go there, so run this in another directory")
     })?;
-    let file = |ending| Path::new(DIRECTORY).join(output::named_after(&path, ending));
+    let file = |ending| Path::new(DIRECTORY).join(output::named_after(path, ending));
     let tables = file(".rs");
     let rendered = file(".png");
     let pictures = Pictures {
@@ -53,16 +71,22 @@ pub(super) fn run(model: Option<&Path>, force: bool) -> Result<Done> {
     output::write(&rendered, &png::still(&picture)?)?;
     let legend = write_pictures(&worst.checked, &pictures)?;
 
-    let report = model.report;
+    let report = &model.report;
     let outcome = worst.checked.outcome;
     let bounds = Bounds::ARITHMETIC;
     let name = &model.name;
     let module = module_name(name);
+    let (statics, with_textures) = if model.textures.is_some() {
+        let textures = format!("{name}_TEXTURES");
+        (format!("statics {name} and {textures}"), format!(" with `{module}::{textures}`"))
+    } else {
+        (format!("static {name}"), String::new())
+    };
     let text = format!(
         "\
 {model}: {vertices} vertices, {triangles} triangles
 
-Tables      {tables}: {flash} bytes of flash, static {name}
+Tables      {tables}: {flash} bytes of flash, {statics}
 Picture     {rendered}: {settings}
 
 Checked from {FRAMES} sides; the worst is the one at {turn} degrees:
@@ -72,10 +96,6 @@ Difference  {difference}
 {legend}
 {comparisons}
 {meaning}
-
-Next: look at {rendered}. To put the model on a display, copy {tables} into your
-firmware's src as {module}.rs, add `mod {module};` and draw `{module}::{name}`, as the README shows.
-More: host-tools --help
 ",
         model = path.display(),
         vertices = thousands(report.vertices),
@@ -92,16 +112,27 @@ More: host-tools --help
         comparisons = table::comparisons(&outcome, &bounds),
         meaning = table::meaning(&model, &outcome, &bounds),
     );
-    Ok(Done { output: text.into(), is_within_bounds: outcome.is_within(&bounds) })
+    let next = format!(
+        "\
+Next: look at {rendered}. To put the model on a display, copy {tables} into your
+firmware's src as {module}.rs, add `mod {module};` and draw `{module}::{name}`{with_textures},
+as the README shows.
+",
+        rendered = rendered.display(),
+        tables = tables.display(),
+    );
+    Ok(Shown { report: text, next, is_within_bounds: outcome.is_within(&bounds) })
 }
 
-/// The bundled rocket, in the directory of the program's sources.
-fn shipped_model() -> Result<PathBuf> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("models/rocket.obj");
-    if !path.is_file() {
+/// The bundled models that are shown, in the directory of the program's sources: one with a
+/// texture and one without.
+fn shipped_models() -> Result<Vec<PathBuf>> {
+    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("models");
+    let found = ["wooden_crate.obj", "rocket.obj"].map(|name| models.join(name));
+    if let Some(path) = found.iter().find(|path| !path.is_file()) {
         bail!("{} is missing: name a model, as in `host-tools model.obj`", path.display());
     }
-    Ok(path)
+    Ok(found.into())
 }
 
 /// A module for the static of this name: in small letters, with `_model` behind names that the

@@ -235,8 +235,13 @@ impl Settings {
     /// The settings in a line.
     pub(super) fn summary(&self) -> String {
         let [width, height] = self.size;
+        let textures = if self.shading.starts_with("textured") {
+            format!(", {} filter, {} perspective", self.filter, self.perspective)
+        } else {
+            String::new()
+        };
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}",
             self.subpixel, self.depth, self.shading
         )
     }

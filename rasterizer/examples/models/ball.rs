@@ -63,6 +63,25 @@ static INDICES: [[u16; 3]; TRIANGLES as usize] = {
     table
 };
 
+/// In the direction of the middle of its corners.
+static FACE_NORMALS: [[i8; 3]; TRIANGLES as usize] = {
+    let (mut table, mut face) = ([[0; 3]; TRIANGLES as usize], 0);
+    while face < TRIANGLES as usize {
+        let [a, b, c] = INDICES[face];
+        let [a, b, c] = [POSITIONS[a as usize], POSITIONS[b as usize], POSITIONS[c as usize]];
+        let [x, y, z] = [sum(a[0], b[0], c[0]), sum(a[1], b[1], c[1]), sum(a[2], b[2], c[2])];
+        let length = (x * x + y * y + z * z).isqrt();
+        table[face] =
+            [(127 * x / length) as i8, (127 * y / length) as i8, (127 * z / length) as i8];
+        face += 1;
+    }
+    table
+};
+
+const fn sum(a: i16, b: i16, c: i16) -> i64 {
+    a as i64 + b as i64 + c as i64
+}
+
 /// A vertex of a ball of this radius.
 const fn point(vertex: usize, radius: i64) -> [i64; 3] {
     let longitude = Turn::fraction((vertex % MERIDIANS) as u32, SECTORS as u32);
@@ -86,6 +105,7 @@ pub(crate) const fn ball(materials: &'static [Material]) -> Mesh<'static> {
         positions: Positions::I16(&POSITIONS),
         scale: Scale::new(1, -15),
         vertex_normals: Normals::I8(&NORMALS),
+        face_normals: Normals::I8(&FACE_NORMALS),
         texture_coordinates: TextureCoordinates::I32(&TEXTURE_COORDINATES),
         triangles: Triangles::U16(&INDICES),
         materials,

@@ -46,6 +46,25 @@ fn the_readme_quotes_what_is_compiled() {
     assert!(readme.contains(quoted), "README.md does not hold this:\n{quoted}");
 }
 
+/// The lines for a texture are those of an example, whose picture is compared by its own test.
+#[test]
+fn the_readme_quotes_the_example_with_a_texture() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let read = |path| fs::read_to_string(format!("{root}/{path}")).unwrap();
+    let (readme, example) = (read("README.md"), read("rasterizer/examples/textured.rs"));
+    let (_, section) = readme.split_once("\n## Textures\n").unwrap();
+    let (_, code) = section.split_once("```rust\n").unwrap();
+    let (code, _) = code.split_once("```").unwrap();
+    let module = "mod wooden_crate;";
+    for line in code.lines().filter(|line| !line.is_empty()) {
+        let is_there = example
+            .lines()
+            .any(|there| there.trim() == line.trim() || line == module && there.contains(module));
+        assert!(is_there, "the example lacks this line of README.md: {line}");
+    }
+    assert!(code.lines().count() > 3);
+}
+
 #[test]
 fn the_readmes_firmware_draws_a_rocket() {
     let mut display = Memory(vec![Rgb565::WHITE; 240 * 240]);
