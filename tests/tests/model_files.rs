@@ -10,11 +10,13 @@ use embedded_graphics::{
 };
 use fixed::types::U16F16;
 use rasterizer::{
+    attribute::EveryPixel,
     camera::{Camera, Distance, Perspective},
-    mesh::{Material, MeshMaterial, MeshVertex, RequiredTables},
+    mesh::{Material, Mesh, MeshMaterial, MeshVertex, RequiredTables},
     numbers::{Turn, Vec3},
     raster::Fragment,
-    shade::{Flat, Gouraud, Level, Light, Shader, Unlit},
+    shade::{Flat, Gouraud, Level, Light, Shader, Textured, Unlit},
+    texture::{TexelMap, Texels},
 };
 use rasterizer_tests::Picture;
 
@@ -24,16 +26,23 @@ mod version_0_1_0 {
 }
 use version_0_1_0::CUBE;
 
+/// The same version, with textures.
+#[expect(unreachable_pub, reason = "a model file is a module of any crate")]
+mod textured_0_1_0 {
+    include!("../models/textured_cube_0_1_0.rs");
+}
+use textured_0_1_0::{TEXTURED_CUBE, TEXTURED_CUBE_TEXTURES};
+
 const DISPLAY: Rectangle = Rectangle::new(Point::zero(), Size::new(24, 24));
 
-/// What a shader makes of the cube, seen from the right, from above and from the front.
-fn pixels(shader: impl Shader<Color = Rgb888>) -> Vec<Rgb888> {
+/// What a shader makes of a cube, seen from the right, from above and from the front.
+fn pixels(cube: &Mesh<'_>, shader: impl Shader<Color = Rgb888>) -> Vec<Rgb888> {
     let (near, far) = (Distance::lit("0.1"), Distance::lit("10"));
     let lens = Perspective::new(Turn::degrees(36), near, far).unwrap();
     let eye = Vec3::lit("1.5", "1.5", "2.5");
     let camera = Camera::look_at(eye, Vec3::ZERO, Vec3::Y, lens, DISPLAY).unwrap();
     let mut picture = Picture::<_, u16>::empty(DISPLAY, Rgb888::WHITE);
-    picture.draw(&CUBE, shader, &camera);
+    picture.draw(cube, shader, &camera);
     picture.color
 }
 
@@ -99,7 +108,7 @@ fn version_0_1_0_has_all_its_tables() {
 
 #[test]
 fn version_0_1_0_is_drawn_in_every_shader() {
-    let unlit = text(&pixels(Unlit::new()), hue);
+    let unlit = text(&pixels(&CUBE, Unlit::new()), hue);
     assert_eq!(
         unlit,
         [
@@ -119,13 +128,13 @@ fn version_0_1_0_is_drawn_in_every_shader() {
     );
     let light = |toward| Light::new(toward, Level::ZERO, Level::ONE);
     let (before, behind) = (Vec3::lit("1", "1", "1"), Vec3::lit("-1", "-1", "-1"));
-    assert_eq!(text(&pixels(Flat::new(light(before))), hue), unlit);
-    assert_eq!(text(&pixels(Gouraud::<_, 64>::new(light(before))), hue), unlit);
+    assert_eq!(text(&pixels(&CUBE, Flat::new(light(before))), hue), unlit);
+    assert_eq!(text(&pixels(&CUBE, Gouraud::<_, 64>::new(light(before))), hue), unlit);
     let dark: Vec<String> = unlit.iter().map(|row| row.replace(['r', 'b'], "0")).collect();
-    assert_eq!(text(&pixels(Flat::new(light(behind))), hue), dark);
-    assert_eq!(text(&pixels(Gouraud::<_, 64>::new(light(behind))), hue), dark);
+    assert_eq!(text(&pixels(&CUBE, Flat::new(light(behind))), hue), dark);
+    assert_eq!(text(&pixels(&CUBE, Gouraud::<_, 64>::new(light(behind))), hue), dark);
     assert_eq!(
-        text(&pixels(Chessboard), hue),
+        text(&pixels(&CUBE, Chessboard), hue),
         [
             "........................",
             "........................",
@@ -139,6 +148,42 @@ fn version_0_1_0_is_drawn_in_every_shader() {
             "...bbbbbb000000bb0......",
             "........b000000bb.......",
             "............000.........",
+        ]
+    );
+}
+
+#[test]
+fn version_0_1_0_has_textures() {
+    let tables = TEXTURED_CUBE.tables();
+    assert_eq!(tables.texture_coordinates.get_q14(3), Some([1 << 14, 1 << 14]));
+    assert!(TEXTURED_CUBE_TEXTURES[1].is_none(), "the second material has a colour");
+    let texture = TEXTURED_CUBE_TEXTURES[0].unwrap();
+    // The upper row: black, red and two of blue. In the lower rows, blue is transparent.
+    let texel = |index| texture.texels().texel(index);
+    assert_eq!(texel(0), Some(Rgb888::BLACK));
+    assert!(texel(1).is_some_and(|color| hue(color) == 'r'));
+    assert!(texel(2).is_some_and(|color| hue(color) == 'b'));
+    assert_eq!((texel(10), texel(15)), (None, None));
+    // The last level is the mean of the others.
+    assert!(texel(20).is_some());
+
+    let textured = Textured::new(&TEXTURED_CUBE_TEXTURES).corrected(EveryPixel);
+    let nearest = text(&pixels(&TEXTURED_CUBE, textured), hue);
+    assert_eq!(
+        nearest,
+        [
+            "........................",
+            "........................",
+            ".......bbbbbbbbbbb......",
+            "..bbbbbbbbbbbbbbbbbbb...",
+            "..000rrrbbbbbbbbbrrbb...",
+            "..rr0rrrbbbbbbb00rbbb...",
+            "..rrrrrrbbbbbbb0rrb.....",
+            "...rrrrrbbbbbbbrrr......",
+            "...rrrrr.....bbrrr......",
+            "...rrrrr.......rrr......",
+            "...............rr.......",
+            "........................",
         ]
     );
 }

@@ -112,6 +112,7 @@ impl<V: Components> Interpolate for InAnyMode<V> {
     >;
     type Sample = Corrected<V::Sample>;
 
+    #[inline(never)]
     fn plane<S: Subpixel>(
         setup: &TriangleSetup<S>,
         quick: Option<QuickGradients>,
@@ -138,6 +139,7 @@ impl<V: Components> Interpolate for InAnyMode<V> {
         }
     }
 
+    #[inline(never)]
     fn whole(field: &Self::Field, at: [i32; 2], pixels: usize) -> Option<Piece<Self::Walk>> {
         match field {
             Of::Linear(field) => Some(piece_of(Linear::<V>::whole(field, at, pixels)?, Of::Linear)),
@@ -149,6 +151,7 @@ impl<V: Components> Interpolate for InAnyMode<V> {
         }
     }
 
+    #[inline(never)]
     fn walk(field: &Self::Field, at: [i32; 2], pixels: usize) -> (Piece<Self::Walk>, Self::Rest) {
         match field {
             Of::Linear(field) => {
@@ -172,18 +175,7 @@ impl<V: Components> Interpolate for InAnyMode<V> {
         pixels: usize,
         mut visit: impl FnMut(Piece<Self::Walk>),
     ) {
-        match field {
-            Of::Linear(field) => Linear::<V>::for_each_piece(field, at, pixels, |piece| {
-                visit(piece_of(piece, Of::Linear));
-            }),
-            Of::Exact(field) => Exact::<V>::for_each_piece(field, at, pixels, |piece| {
-                visit(piece_of(piece, Of::Exact));
-            }),
-            &Of::Stepped(ref field, mode) => {
-                let visit = |piece| visit(piece_of(piece, |walk| Of::Stepped(walk, mode)));
-                by_steps!(mode, for_each_piece(field, at, pixels, visit));
-            }
-        }
+        for_each_piece::<V>(field, at, pixels, &mut visit);
     }
 
     fn sample(value: Self::Walk) -> Self::Sample {
@@ -192,6 +184,28 @@ impl<V: Components> Interpolate for InAnyMode<V> {
             Of::Exact(walk) => Exact::<V>::sample(walk),
             // Steps of all lengths are sampled alike.
             Of::Stepped(walk, _) => Stepped::<V>::sample(walk),
+        }
+    }
+}
+
+/// [`Interpolate::for_each_piece`], without a copy of `visit` for each mode: it contains the loop
+/// over pixels.
+fn for_each_piece<V: Components>(
+    field: &<InAnyMode<V> as Interpolate>::Field,
+    at: [i32; 2],
+    pixels: usize,
+    visit: &mut dyn FnMut(Piece<<InAnyMode<V> as Interpolate>::Walk>),
+) {
+    match field {
+        Of::Linear(field) => Linear::<V>::for_each_piece(field, at, pixels, |piece| {
+            visit(piece_of(piece, Of::Linear));
+        }),
+        Of::Exact(field) => Exact::<V>::for_each_piece(field, at, pixels, |piece| {
+            visit(piece_of(piece, Of::Exact));
+        }),
+        &Of::Stepped(ref field, mode) => {
+            let visit = |piece| visit(piece_of(piece, |walk| Of::Stepped(walk, mode)));
+            by_steps!(mode, for_each_piece(field, at, pixels, visit));
         }
     }
 }

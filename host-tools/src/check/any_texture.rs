@@ -8,9 +8,10 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
     attribute::InverseW,
     texture::{
-        Bilinear, Clamp, Colors, CoordinateFormat, Coordinates, Counts, Footprint, Levels,
-        LitTexels, MipLevel, Mipmapped, Mirror, Nearest, NearestMip, Pair, PerTriangle, Place,
-        Quad, Repeat, Side, TexelMap, Texels, TextureVarying, Trilinear, Wrap as _,
+        Bilinear, Clamp, Colors, CoordinateFormat, Coordinates, Counts, Filter as CoreFilter,
+        Footprint, Levels, LitTexels, MipLevel, Mipmapped, Mirror, Nearest, NearestMip, Pair,
+        PerTriangle, Place, Quad, Repeat, Side, TexelMap, Texels, TextureVarying, Trilinear,
+        Wrap as _,
     },
 };
 
@@ -177,7 +178,7 @@ fn pair(wrap: Wrap, coordinate: i32, side: Side, bits: u32) -> Pair {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct AnyFilter;
 
-impl rasterizer::texture::Filter<AnyTexture<'_>> for AnyFilter {
+impl CoreFilter<AnyTexture<'_>> for AnyFilter {
     type Coordinates<V: TextureVarying> = V;
     /// Of filters that read no levels, none.
     type Face = MipLevel;
@@ -197,15 +198,22 @@ impl rasterizer::texture::Filter<AnyTexture<'_>> for AnyFilter {
         inverse_w: InverseW,
         fetch: impl Fn(usize) -> Option<Rgb888>,
     ) -> Option<Rgb888> {
-        match map.filter {
-            Filter::Nearest => Nearest::sample(map, &(), place, inverse_w, fetch),
-            Filter::Bilinear => Bilinear::sample(map, &(), place, inverse_w, fetch),
-            Filter::Mipmap => {
-                NearestMip::<PerTriangle>::sample(map, level, place, inverse_w, fetch)
-            }
-            Filter::Trilinear => {
-                Trilinear::<PerTriangle>::sample(map, level, place, inverse_w, fetch)
-            }
-        }
+        sample(map, level, place, inverse_w, &fetch)
+    }
+}
+
+/// The texel by the filter that a texture names: one function for all scenes.
+fn sample(
+    map: &AnyTexture<'_>,
+    level: &MipLevel,
+    place: Place<SIDE, SIDE, Clamp, Clamp>,
+    inverse_w: InverseW,
+    fetch: &dyn Fn(usize) -> Option<Rgb888>,
+) -> Option<Rgb888> {
+    match map.filter {
+        Filter::Nearest => Nearest::sample(map, &(), place, inverse_w, fetch),
+        Filter::Bilinear => Bilinear::sample(map, &(), place, inverse_w, fetch),
+        Filter::Mipmap => NearestMip::<PerTriangle>::sample(map, level, place, inverse_w, fetch),
+        Filter::Trilinear => Trilinear::<PerTriangle>::sample(map, level, place, inverse_w, fetch),
     }
 }

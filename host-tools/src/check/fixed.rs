@@ -35,10 +35,13 @@ pub(super) struct Drawn<'a> {
     pub(super) time: Duration,
     /// Draws the reference on the core's own vertices, with depth from 0 to 1, and judges texture
     /// coordinates. It is given the core's picture, because some pixels have several right colours.
-    pub(super) arithmetic: Box<dyn FnOnce(&FixedPicture) -> (Picture, Option<Texels>) + 'a>,
+    pub(super) arithmetic: Box<dyn FnOnce(&FixedPicture) -> Arithmetic + 'a>,
     /// Draws the reference from the faces of the OBJ file, with depth from 0 to 1.
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
+
+/// The reference on the core's own vertices, and how far texture coordinates are off it.
+pub(super) type Arithmetic = (Picture, Option<Texels>);
 
 /// Draws a model by the core.
 ///

@@ -35,7 +35,7 @@ impl<C: From<Rgb888>> From<Rgb888> for Probed<C> {
     }
 }
 
-impl<C: Into<Rgb888>> From<Probed<C>> for Rgb888 {
+impl<C: Into<Self>> From<Probed<C>> for Rgb888 {
     fn from(probed: Probed<C>) -> Self {
         probed.color.into()
     }
@@ -99,5 +99,17 @@ impl<Sh: Shader<Color: ShownColor>> Shader for Probe<Sh> {
         let coordinate = (self.read)(&fragment.varyings);
         let color = self.shader.pixel(surface, face, fragment).color()?;
         Some(Probed { color, coordinate })
+    }
+
+    fn pixels(
+        &self,
+        surface: &Sh::Surface,
+        face: Sh::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> Option<Probed<Sh::Color>> + Copy {
+        let (pixels, read) = (self.shader.pixels(surface, face), self.read);
+        move |fragment| {
+            let coordinate = read(&fragment.varyings);
+            Some(Probed { color: pixels(fragment).color()?, coordinate })
+        }
     }
 }

@@ -29,6 +29,7 @@ Examples:
   host-tools check model.obj
   host-tools check model.obj --frames 60 --depth u32
   host-tools check model.obj --json | jq .arithmetic
+  host-tools check model.obj --filter trilinear --perspective every-16
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex

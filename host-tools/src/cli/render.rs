@@ -25,6 +25,7 @@ Examples:
   host-tools render model.obj
   host-tools render model.obj -o logo.png --size 240x240 --yaw 45 --pitch 30
   host-tools render model.obj --shading flat --rgb565
+  host-tools render model.obj --filter bilinear --texture-size 64x64
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
 /// Draw a model with the fixed-point core, as a display shows it

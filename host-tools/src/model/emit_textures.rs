@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{
-    AlphaFormat, ColorFormat, Model, Texture, TextureWrap, Textures,
+    AlphaFormat, ColorFormat, Model, Texture, TextureTable, TextureWrap, Textures,
     emit::{in_comment, rows, table},
 };
 
@@ -26,6 +26,13 @@ pub(super) fn textures(out: &mut String, model: &Model) -> std::fmt::Result {
         (format!("Option<{type_name}>"), "; `None` where it has a colour")
     };
     writeln!(out, "\n/// The texture of each material of [`{name}`]{without}.")?;
+    if matches!(model.texture_coordinates, TextureTable::I32(_)) {
+        writeln!(out, "///")?;
+        writeln!(
+            out,
+            "/// Texture coordinates have 32 bits: shaders need `with_wide_coordinates`."
+        )?;
+    }
     writeln!(out, "#[rustfmt::skip]")?;
     if layers.bits.is_none() {
         let reason = "each colour of a large texture takes the compiler a few steps";

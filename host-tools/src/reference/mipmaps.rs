@@ -50,13 +50,13 @@ impl Mipmaps {
 
     /// A level of detail within those that there are.
     #[must_use]
-    pub fn clamp(&self, level: f64) -> f64 {
+    pub const fn clamp(&self, level: f64) -> f64 {
         level.clamp(0.0, (self.levels.len() - 1) as f64)
     }
 
     /// The number of the level that is nearest to a level of detail.
     #[must_use]
-    pub fn nearest_level(&self, level: f64) -> usize {
+    pub const fn nearest_level(&self, level: f64) -> usize {
         self.clamp(level).round() as usize
     }
 

@@ -97,9 +97,10 @@ pub struct QuickGradients {
     reciprocal: i32,
     up: u32,
     left: u32,
-    /// The reciprocal before it is shifted to the right, and by how many bits.
+    /// The reciprocal before it is shifted to the right, and by how many bits: negative for a shift
+    /// to the left.
     mantissa: i32,
-    right: u32,
+    right: i32,
 }
 
 impl<S: Subpixel> TriangleSetup<S> {
@@ -183,7 +184,7 @@ impl<S: Subpixel> TriangleSetup<S> {
     #[inline(never)]
     fn quick_wide_plane(&self, quick: QuickGradients, [a, b, c]: [u32; 3]) -> Plane<u64> {
         let differences = [b.wrapping_sub(a) as i32, c.wrapping_sub(a) as i32];
-        let QuickGradients { mantissa, up, right, left, .. } = quick;
+        let QuickGradients { mantissa, up, right, .. } = quick;
         // p q - r s without its 16 - `up` lowest bits: less than 2^31, as p and r are less than
         // 2^31 and q and s have no more bits than the extent.
         let cross = |[p, q, r, s]: [i32; 4]| {
@@ -195,7 +196,9 @@ impl<S: Subpixel> TriangleSetup<S> {
         };
         // With 18 digits behind the point.
         let [x, y] = self.gradients(differences, |products| {
-            mul_wide(cross(products), mantissa) << left >> (14 + right)
+            let product = mul_wide(cross(products), mantissa);
+            let right = 14 + right;
+            if right >= 0 { product >> right } else { product << -right }
         });
         let [to_x, to_y] = self.to_anchor.map(i64::from);
         let to_anchor = x.wrapping_mul(to_x).wrapping_add(y.wrapping_mul(to_y)) >> S::BITS;
@@ -302,7 +305,7 @@ impl QuickGradients {
             up,
             left: (right.max(0) - right) as u32,
             mantissa,
-            right: right.max(0) as u32,
+            right,
         })
     }
 }

@@ -216,7 +216,7 @@ impl Mul<Vec3> for Rotation {
     }
 }
 
-/// x v[0] + y v[1] + z v[2]. It is not inlined: it makes matrices, once per frame.
+/// The scalar product of (x, y, z) and `v`. It is not inlined: it makes matrices, once per frame.
 #[inline(never)]
 fn scalar_product(x: i32, y: i32, z: i32, v: &[i32; 3]) -> i64 {
     let product = |a: i32, b: i32| i64::from(a) * i64::from(b);

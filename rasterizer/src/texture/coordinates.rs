@@ -12,15 +12,15 @@ use crate::{
 };
 
 /// The coordinates u and v of a vertex in a texture of `W` by `H` texels, with `X` and `Y` saying
-/// how it goes on beyond its borders. `T` is `i16` for a mesh's table of 16 bits, in Q2.14, or `i32`
-/// for one of 32, in Q8.24.
+/// how it goes on beyond its borders. `T` is `i16` for a mesh's table of 16 bits, in Q2.14, or
+/// `i32` for one of 32, in Q8.24.
 ///
-/// As a varying it is linear on the screen: [`PerspectiveCorrect`](crate::attribute::PerspectiveCorrect)
-/// makes it linear in space.
+/// As a varying it is linear on the screen;
+/// [`PerspectiveCorrect`](crate::attribute::PerspectiveCorrect) makes it linear in space.
 ///
-/// From pixel to pixel, a texture that is repeated along both axes and has sides of up to 256 texels
-/// is stepped in two 16-bit fractions of a repeat in one word: 1/256 of a texel or less. Others are
-/// stepped in two words in Q8.24.
+/// From pixel to pixel, a texture that is repeated along both axes and has sides of up to 256
+/// texels is stepped in two 16-bit fractions of a repeat in one word: 1/256 of a texel or less.
+/// Others are stepped in two words in Q8.24.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Coordinates<T, const W: usize, const H: usize, X, Y> {
     uv: [T; 2],

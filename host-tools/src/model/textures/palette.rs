@@ -10,14 +10,17 @@ type Rgb = [f64; 3];
 /// The rounds of improvement: later ones gain less than 0.1 dB.
 const ROUNDS: usize = 16;
 
+/// The steps in which a palette settles in each round.
+const STEPS: usize = 2;
+
 /// Chooses at most `count` colours for texels, so that the mean square distance from a texel to the
 /// nearest one is small. `round` gives the colour that is stored for one; colours that it makes
 /// equal are one.
 ///
-/// A neural network (`NeuQuant`) gives the first palette. Each round then moves every colour to the
-/// mean of its texels (Lloyd, 1982), and the colour that is missed the least to the one with the
-/// largest sum of errors (after Patanè and Russo, "The enhanced LBG algorithm", 2001): the first
-/// palette is poor where few colours are wanted.
+/// A neural network (`NeuQuant`) gives the first palette, which is poor where few colours are
+/// wanted. Each round moves colours that are missed little to where the errors are large (after
+/// Patanè and Russo, "The enhanced LBG algorithm", 2001), and then every colour to the mean of its
+/// texels (Lloyd, 1982).
 pub(super) fn choose(texels: &[Rgb], count: usize, round: impl Fn(Rgb) -> Rgb) -> Vec<Rgb> {
     let histogram = Histogram::of(texels);
     let rounded = |colors: &[Rgb]| {
@@ -104,41 +107,74 @@ impl Histogram {
         clusters
     }
 
-    /// A palette after all rounds: the best on the way.
-    fn improved(&self, mut palette: Vec<Rgb>) -> Vec<Rgb> {
-        let mut best = (f64::INFINITY, palette.clone());
-        for _ in 0..=ROUNDS {
-            let clusters = self.clusters(&palette);
-            let error = clusters.iter().map(|cluster| cluster.error).sum();
-            if error < best.0 {
-                best = (error, palette.clone());
+    /// A palette after all rounds. One that moves colours counts only if it is better than the
+    /// best one before it.
+    fn improved(&self, palette: Vec<Rgb>) -> Vec<Rgb> {
+        let mut best = self.settled(palette);
+        let mut count = best.colors.len().div_ceil(8);
+        let mut skipped = 0;
+        for _ in 0..ROUNDS {
+            let moves = moves(&best.clusters, count, skipped);
+            if moves.is_empty() {
+                break;
             }
-            for (color, cluster) in palette.iter_mut().zip(&clusters) {
+            let mut colors = best.colors.clone();
+            for (from, to) in moves {
+                colors[from] = best.clusters[to].worst.0;
+            }
+            let moved = self.settled(colors);
+            if moved.error < best.error {
+                (best, skipped) = (moved, 0);
+            } else if count > 1 {
+                count /= 2;
+            } else {
+                skipped += 1;
+            }
+        }
+        best.colors
+    }
+
+    /// A palette whose colours are the means of their texels, or nearly so.
+    fn settled(&self, mut colors: Vec<Rgb>) -> Settled {
+        let mut clusters = self.clusters(&colors);
+        for _ in 0..STEPS {
+            for (color, cluster) in colors.iter_mut().zip(&clusters) {
                 if cluster.count > 0.0 {
                     *color = cluster.sum.map(|sum| sum / cluster.count);
                 }
             }
-            for (from, to) in moves(&clusters) {
-                palette[from] = clusters[to].worst.0;
-            }
+            clusters = self.clusters(&colors);
         }
-        best.1
+        let error = clusters.iter().map(|cluster| cluster.error).sum();
+        Settled { colors, clusters, error }
     }
 }
 
-/// The colours that are missed the least, each with one that needs help: its error is expected to
-/// halve at least. An eighth of the palette moves at a time.
-fn moves(clusters: &[Cluster]) -> Vec<(usize, usize)> {
+/// A palette with the texels of its colours.
+struct Settled {
+    colors: Vec<Rgb>,
+    clusters: Vec<Cluster>,
+    /// The sum of the squares of all distances.
+    error: f64,
+}
+
+/// Pairs of a colour that is missed little and one whose texels need help, up to `count` of them,
+/// without the first `skipped`. A colour that moves halves an error that is larger than its loss.
+fn moves(clusters: &[Cluster], count: usize, skipped: usize) -> Vec<(usize, usize)> {
     let sorted = |key: fn(&Cluster) -> f64| {
         let mut places: Vec<usize> = (0..clusters.len()).collect();
         places.sort_by(|&a, &b| key(&clusters[a]).total_cmp(&key(&clusters[b])));
         places
     };
     let (least, most) = (sorted(|c| c.loss), sorted(|c| -c.error));
-    let pairs = least.into_iter().zip(most).take(clusters.len().div_ceil(8));
-    pairs
-        .filter(|&(from, to)| from != to && clusters[from].loss < clusters[to].error / 2.0)
-        .collect()
+    let is_gain =
+        |&(from, to): &(usize, usize)| from != to && clusters[from].loss < clusters[to].error;
+    if count > 1 {
+        least.into_iter().zip(most).take(count).filter(is_gain).collect()
+    } else {
+        let pairs = least.iter().flat_map(|&from| most.iter().map(move |&to| (from, to)));
+        pairs.filter(is_gain).skip(skipped).take(1).collect()
+    }
 }
 
 #[cfg(test)]
@@ -179,6 +215,17 @@ mod tests {
             assert!(error < 1.25 * bound, "{count}: {error} against {bound}");
         }
         assert_eq!(choose(&texels, 16, |c| c), choose(&texels, 16, |c| c));
+    }
+
+    #[test]
+    fn three_distant_colours_win_over_shades_of_one() {
+        let [black, red, blue] = [[0.0; 3], [220.0, 30.0, 30.0], [40.0, 60.0, 230.0]];
+        let mut texels = [[red; 6], [blue; 6]].concat();
+        texels.extend([black, [195.0, 27.0, 27.0], [174.0, 41.0, 142.0]]);
+        let palette = choose(&texels, 3, |color| color);
+        // Red and the shade near it are one, and the mean of red and blue is nearest to blue.
+        assert!(two_nearest(&palette, black)[0].1 < 1.0, "{palette:?}");
+        assert!(two_nearest(&palette, red)[0].1 < 500.0, "{palette:?}");
     }
 
     #[test]

@@ -22,8 +22,9 @@ impl<V: Components> Division<V> {
     /// Of a span between two pixels.
     #[inline(always)]
     pub(super) fn between(first: &AtPixel<V>, last: &AtPixel<V>, block: Block<V>) -> Self {
+        // Below 2^31, so that it has a leading zero.
         let largest = first.q().max(last.q());
-        Self { block, up: leading_zeros(largest).max(1) - 1, is_quick: false }
+        Self { block, up: leading_zeros(largest) - 1, is_quick: false }
     }
 
     /// In units of the span, modulo 2^64.
@@ -61,9 +62,7 @@ impl<V: Components> Division<V> {
     /// The same, in 16 bits where they are enough and q is large enough at both ends of the span.
     #[inline(always)]
     pub(super) fn quick_if(self, is_enough: bool, [first, last]: [u32; 2]) -> Self {
-        // Neither reaches 2^31.
-        let is_quick = is_enough && (first.min(last) >= LEAST_QUICK) && (first | last) >> 31 == 0;
-        Self { is_quick, ..self }
+        Self { is_quick: is_enough && first.min(last) >= LEAST_QUICK, ..self }
     }
 
     /// The numbers at a pixel, modulo 2^32.
@@ -84,7 +83,7 @@ impl<V: Components> Division<V> {
             }
         } else {
             let reciprocal = Reciprocal::of(at.q());
-            let up = reciprocal.leading_zeros.wrapping_sub(1) & 31;
+            let up = reciprocal.leading_zeros - 1;
             for (number, numerator) in each {
                 // s / q = (s << (z - 1)) m 2^-61, with z >= 1 and |s| < q / 2: the upper half of
                 // the product has 29 bits behind the point, and is below 2^28.
@@ -104,6 +103,6 @@ impl<V: Components> Division<V> {
     /// A change of near / w from that of q.
     #[inline(always)]
     pub(super) const fn step_of_inverse_w(&self, change: i32) -> u32 {
-        ((change >> self.up << 1) >> self.block.zeros) as u32
+        ((change >> self.up << 2) >> self.block.zeros) as u32
     }
 }

@@ -47,8 +47,8 @@ pub(super) trait Rule {
     /// Whether 16 bits are enough for a division.
     fn may_be_quick<V: Components>(law: &Law<V>) -> bool;
 
-    /// The pixels of a step, 1 to 64, in a span this many rows below the anchor between these values
-    /// of q.
+    /// The pixels of a step, 1 to 64, in a span this many rows below the anchor between these
+    /// values of q.
     fn pixels<V: Components>(
         law: &Law<V>,
         division: &Division<V>,
@@ -104,7 +104,7 @@ impl<const TOLERANCE: u32> Adaptive<TOLERANCE> {
         TOLERANCE
     };
 
-    /// Whether a range of numbers, in sixteenths of a unit, is divided within a eighth of the
+    /// Whether a range of numbers, in sixteenths of a unit, is divided within an eighth of the
     /// tolerance in 16 bits. The quotient is off by 2^-15 for s, half of that for q, and half of
     /// 2^-13.2 for the reciprocal: 2^-13.5, in units of twice to four times the range, 2^-11.5 of
     /// it.
@@ -149,7 +149,7 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
             magnitude |= along.unsigned_abs();
         }
         // Slopes along a row, shifted up to 30 bits.
-        let up = (leading_zeros(magnitude | 1) - 1).max(1) - 1;
+        let up = leading_zeros(magnitude | 1).saturating_sub(2);
         // The least digits that a unit has: errors of the other numbers count for less.
         let mut least_bits = u32::MAX;
         for &bits in V::UNIT_BITS.as_ref() {
@@ -211,7 +211,7 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
         }
         // Products and slopes are off by 3 together, their changes by 3 a row.
         let w = log2_above(widest.saturating_add(3 + 3 * rows.unsigned_abs()));
-        let q = log2_below(first.min(last).max(1)) - 32 * division.up as i32;
+        let q = log2_below(first.min(last)) - 32 * division.up as i32;
         // In 64ths of the binary logarithm of n.
         let level = law.level + 3 * q - w;
         let length = LENGTHS.get((level.max(0) >> 3) as usize);

@@ -3,12 +3,12 @@
 //! # Formats
 //!
 //! The corners' q = near / w share a block exponent: they are shifted so that the largest has its
-//! most significant bit at 2^30. The numbers u are counted from the first corner's, d = u - u0, which
-//! takes off what all corners have in common, whole repeats of a texture for example. With d < 2^k,
-//! the numerators are
+//! most significant bit at 2^29. The numbers u are counted from the first corner's, d = u - u0,
+//! which takes off what all corners have in common, whole repeats of a texture for example. With
+//! d < 2^k, the numerators are
 //!
 //! ```text
-//!   s = d q / 2^(k + 1)        |s| < q / 2 <= 2^30
+//!   s = d q / 2^(k + 1)        |s| < q / 2 <= 2^29
 //! ```
 //!
 //! Planes of q and of each s have 18 binary digits behind the point. At a pixel
@@ -20,9 +20,9 @@
 //! # Error
 //!
 //! Let r be the ratio of the corners' largest q to their least. A rounding error of q at a corner
-//! only shifts the weights: it moves u by U times its relative error, at most U r 2^-31. Planes are
+//! only shifts the weights: it moves u by U times its relative error, at most U r 2^-30. Planes are
 //! off by a unit for their rounding at the corner and half a unit for that at the pixel, and by n /
-//! 2^18 over n pixels: with numerators of half the size, by U r 2^-28 together. The reciprocal adds
+//! 2^18 over n pixels: with numerators of half the size, by U r 2^-27 together. The reciprocal adds
 //! U 2^-27, and the product's lost bits U 2^-27.
 
 use crate::{
@@ -64,7 +64,7 @@ pub(super) struct AtPixel<V: Components> {
 /// The corners of a triangle in a block's numbers.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Corners<V: Components> {
-    /// near / w: the largest from 2^30 to 2^31.
+    /// near / w: the largest from 2^29 to 2^30, so that rounding cannot reach 2^31.
     pub(super) q: [u32; 3],
     /// From the first corner's numbers to the others'.
     pub(super) differences: [V::Each<i32>; 2],
@@ -86,7 +86,7 @@ impl<V: Components> Corners<V> {
             difference
         };
         Self {
-            q: [(q[0] << zeros) >> 1, (q[1] << zeros) >> 1, (q[2] << zeros) >> 1],
+            q: [(q[0] << zeros) >> 2, (q[1] << zeros) >> 2, (q[2] << zeros) >> 2],
             differences: [from_base(b.0), from_base(c.0)],
             base,
             zeros,
@@ -226,7 +226,7 @@ impl<V: Components> Quotient<V> {
 /// The digits before and those behind the point are multiplied by themselves, in products of 32
 /// bits: there are 18 behind it, and all three terms together are below 2^31.
 #[inline(always)]
-fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
+const fn at(plane: &Wide, columns: i32, rows: i32) -> u64 {
     joined(
         upper(plane.anchor)
             .wrapping_add(upper(plane.per_column).wrapping_mul(columns))
@@ -276,10 +276,10 @@ impl<V: Components> AtPixel<V> {
         self
     }
 
-    /// q in the block's units, at least 1.
+    /// The digits of q before the point, at least 1: far away, rounding may make it 0 or less.
     #[inline(always)]
     pub(super) fn q(&self) -> u32 {
-        ((self.q >> 32) as u32).max(1)
+        upper(self.q).max(1).cast_unsigned()
     }
 
     /// The numbers at the pixel, modulo 2^32.
@@ -304,6 +304,6 @@ impl<V: Components> Block<V> {
     /// near / w from q.
     #[inline(always)]
     pub(super) const fn inverse_w(&self, q: u32) -> u32 {
-        (q << 1) >> self.zeros
+        (q << 2) >> self.zeros
     }
 }

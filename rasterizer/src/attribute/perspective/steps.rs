@@ -161,7 +161,7 @@ pub struct SteppedWalk<V: Components> {
 impl<V: Components> SteppedWalk<V> {
     /// A piece that is linear on the screen.
     #[inline(always)]
-    fn affine(piece: Piece<V::Walk>, inverse_w: InverseW) -> Piece<Self> {
+    const fn affine(piece: Piece<V::Walk>, inverse_w: InverseW) -> Piece<Self> {
         Piece {
             first: Self { numbers: piece.first, inverse_w: inverse_w.to_bits() },
             step: Self { numbers: piece.step, inverse_w: 0 },
