@@ -11,10 +11,13 @@ use std::{
 
 use host_tools::model::{Options, convert_for_build};
 
+#[path = "build/textures.rs"]
+mod textures;
+
 fn main() -> Result<(), Box<dyn Error>> {
     let out = PathBuf::from(env::var("OUT_DIR")?);
     let options = Options::default();
-    for name in ["gear", "rocket", "torus_knot"] {
+    for name in ["gear", "rocket", "torus_knot", "wooden_crate"] {
         convert_for_build(
             Path::new("../../host-tools/models").join(name).with_extension("obj"),
             &options,
@@ -32,6 +35,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         fs::write(out.join(name), obj)?;
         convert_for_build(out.join(name), &options)?;
     }
+    textures::cube(&out, &options)?;
+    textures::wooden_crate(&out, &options)?;
 
     // Models that do not come with the project.
     println!("cargo::rustc-check-cfg=cfg(models)");
@@ -43,6 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for name in ["spot", "suzanne"] {
             convert_for_build(Path::new(&folder).join(name).with_extension("obj"), &smooth)?;
         }
+        textures::spot(&out, Path::new(&folder), &smooth)?;
         println!("cargo::rustc-cfg=models");
     }
 
@@ -73,7 +79,14 @@ fn link() -> Result<(), Box<dyn Error>> {
             arg("--defsym=_flash=0x10000000");
             arg("--defsym=_ram=0x38000000");
         }
-        for program in ["bench", "bench_set_up", "bench_frugal", "bench_frugal_set_up", "scaling"] {
+        for program in [
+            "bench",
+            "bench_set_up",
+            "bench_frugal",
+            "bench_frugal_set_up",
+            "bench_textures",
+            "scaling",
+        ] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
         }
     }

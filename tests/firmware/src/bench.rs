@@ -1,6 +1,8 @@
 //! The bench scenes: models of 12 to 5,856 triangles on 320 x 240 pixels, each turned in eight
 //! frames.
 
+pub mod textures;
+
 use embedded_graphics_core::{
     geometry::{Point, Size},
     primitives::Rectangle,
@@ -77,7 +79,7 @@ fn run<const SET_UP: bool, const PIXELS: usize>(memory: &mut Memory<PIXELS>) {
     let light = sun();
     let (gouraud, flat) = (Gouraud::new(light), Flat::new(light));
     let (close, far) = (view("400", "2.4"), view("160", "3"));
-    let mut bench = Bench::<SET_UP, PIXELS>(memory);
+    let mut bench = Bench::<SET_UP, PIXELS, VERTICES>(memory);
     #[cfg(models)]
     bench.scene::<u16, _>("spot-gouraud", &models::SPOT, gouraud, &close);
     #[cfg(models)]
@@ -118,16 +120,21 @@ pub fn frugal<const SET_UP: bool>() {
     counter::start();
     console::build();
     critical_section::with(|token| {
-        let mut bench = Bench::<SET_UP, PIXELS>(&mut MEMORY.borrow_ref_mut(token));
+        let mut bench = Bench::<SET_UP, PIXELS, VERTICES>(&mut MEMORY.borrow_ref_mut(token));
         #[cfg(models)]
         bench.frugal_bands("spot-gouraud", &models::SPOT, Gouraud::new(sun()), &view("400", "2.4"));
         bench.frugal_bands("sphere-flat", &models::SPHERE, Flat::new(sun()), &view("160", "3"));
     });
 }
 
-struct Bench<'a, const SET_UP: bool, const PIXELS: usize>(&'a mut Memory<PIXELS>);
+/// Measures in the memory of a frame or a band, with storage for `VERTICES` vertices on the stack.
+struct Bench<'a, const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>(
+    &'a mut Memory<PIXELS>,
+);
 
-impl<const SET_UP: bool, const PIXELS: usize> Bench<'_, SET_UP, PIXELS> {
+impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
+    Bench<'_, SET_UP, PIXELS, VERTICES>
+{
     /// A scene with depth `D`, in the modes that memory is enough for, and in both precisions.
     fn scene<D: Depth, Sh: Shader<Color = Rgb565Be>>(
         &mut self,

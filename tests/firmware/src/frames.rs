@@ -10,13 +10,14 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
-    attribute::FloatDepth,
+    attribute::{EveryPixel, FloatDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{Pose, Projection, ScreenVertex},
+    geometry::{CullNone, Pose, Projection, ScreenVertex},
     numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
-    output::{Bands, Frame, Rgb565Be, StoredDepth},
-    scene::{Object, bin_words},
-    shade::{Flat, Gouraud, Light, OnScreen, Shader},
+    output::{Bands, Frame, Replace, Rgb565Be, StoredDepth},
+    scene::{Mode, Object, bin_words},
+    shade::{Flat, Gouraud, Light, OnScreen, Shader, Textured, TexturedFlat, TexturedGouraud},
+    texture::{Bilinear, PerPixel, Trilinear},
 };
 
 use crate::{bench::sun, console, cost::fail, memory::Memory, models};
@@ -69,6 +70,44 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     }
     flat(memory, light);
     floating_depth(&knot, memory);
+    textured(memory, light);
+}
+
+/// The textured cube: stored, filtered, corrected and lit in several ways, each in one precision.
+fn textured(memory: &mut Memory<PIXELS>, light: Light) {
+    use models::{CUBE_TEXTURE_MIPS_TEXTURES as MIPS, CUBE_TEXTURE_TEXTURES as DIRECT};
+    let nearest = Textured::new(&models::CUBE_TEXTURE_8_TEXTURES);
+    textured_with::<S4, _>("nearest S4", nearest, memory);
+    textured_with::<S8, _>("nearest S8", nearest, memory);
+    let bilinear = Textured::new(&DIRECT).filtered(Bilinear).corrected(EveryPixel);
+    textured_with::<S8, _>("bilinear every pixel S8", bilinear, memory);
+    let trilinear = Textured::new(&MIPS).filtered(Trilinear(PerPixel));
+    textured_with::<S4, _>("trilinear S4", trilinear, memory);
+    textured_with::<S4, _>("flat S4", TexturedFlat::new(&DIRECT, light), memory);
+    textured_with::<S8, _>("gouraud S8", TexturedGouraud::new(&DIRECT, light), memory);
+}
+
+/// Far away, filling the picture, with a side through the near plane, and from inside.
+fn textured_with<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+    name: &str,
+    shader: Sh,
+    memory: &mut Memory<PIXELS>,
+) {
+    let pose =
+        Pose::rotated(Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(Turn::degrees(35)));
+    // From inside, the back of its sides is seen.
+    let cube = Object::new(&models::CUBE_TEXTURE, shader).posed(pose).culled(CullNone);
+    let mut last = 0;
+    for (view, distance) in [("far", "15"), ("near", "3"), ("cut", "0.7"), ("inside", "0.05")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let [hash, _] = draw::<_, S, u16, _, _, { models::CUBE_TEXTURE.vertex_count() }>(
+            &cube, &camera, memory,
+        );
+        assert_ne!(hash, last, "two views show the same");
+        last = hash;
+        console::line(format_args!("cube {view} textured {name} {hash:08x}"));
+    }
 }
 
 /// Depth in floating point, from near to far, with the hash of the depths too.
@@ -81,8 +120,10 @@ fn floating_depth<Sh: Shader<Color = Rgb565Be, Varyings = [u16; 1]>>(
         let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
             .unwrap_or_else(fail);
         let object = object.clone().posed(pose);
-        let [coarse, coarse_depth] = draw::<_, S4, FloatDepth, _>(&object, &camera, memory);
-        let [fine, fine_depth] = draw::<_, S8, FloatDepth, _>(&object, &camera, memory);
+        let [coarse, coarse_depth] =
+            draw::<_, S4, FloatDepth, _, _, VERTICES>(&object, &camera, memory);
+        let [fine, fine_depth] =
+            draw::<_, S8, FloatDepth, _, _, VERTICES>(&object, &camera, memory);
         console::line(format_args!(
             "torus_knot {view} float16 S4 {coarse:08x} {coarse_depth:08x} S8 {fine:08x} \
              {fine_depth:08x}"
@@ -111,15 +152,23 @@ fn report<P: Projection, Sh: Shader<Color = Rgb565Be, Varyings = [u16; 1]>>(
     memory: &mut Memory<PIXELS>,
 ) {
     let (model, view, frame) = name;
-    let [coarse, _] = draw::<_, S4, u16, _>(object, camera, memory);
-    let [fine, _] = draw::<_, S8, u16, _>(object, camera, memory);
+    let [coarse, _] = draw::<_, S4, u16, _, _, VERTICES>(object, camera, memory);
+    let [fine, _] = draw::<_, S8, u16, _, _, VERTICES>(object, camera, memory);
     console::line(format_args!("{model} {view} {frame} S4 {coarse:08x} S8 {fine:08x}"));
 }
 
 /// Draws a frame as a whole, again in bands, and again without storage for vertices, and checks
-/// that they are the same. Returns the hashes of its colours and of its depths.
-fn draw<P: Projection, S: Subpixel, D: StoredDepth, Sh: Shader<Color = Rgb565Be>>(
-    object: &Object<'_, Sh>,
+/// that they are the same. Returns the hashes of its colours and of its depths. The model has at
+/// most `VERTICES` vertices.
+fn draw<
+    P: Projection,
+    S: Subpixel,
+    D: StoredDepth,
+    Sh: Shader<Color = Rgb565Be>,
+    M: Mode<Blending = Replace>,
+    const VERTICES: usize,
+>(
+    object: &Object<'_, Sh, M>,
     camera: &Camera<P>,
     memory: &mut Memory<PIXELS>,
 ) -> [u32; 2] {

@@ -88,12 +88,12 @@ impl<S, D, V, const PIXELS: usize, const VERTICES: usize> Bands<S, D, V, PIXELS,
 where
     S: Subpixel,
     D: StoredDepth,
-    V: Varyings<OnScreen = V> + Interpolate,
+    V: Interpolate,
 {
     /// Projects the object's vertices once, and draws it into each band.
     pub(super) fn draw<
         P: Projection,
-        Sh: Shader<Color = Rgb565, Varyings = V>,
+        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
         M: Mode<Blending = Replace>,
     >(
         &mut self,
@@ -111,7 +111,7 @@ where
     /// The same with the triangles sorted into the bands.
     pub(super) fn draw_binned<
         P: Projection,
-        Sh: Shader<Color = Rgb565, Varyings = V>,
+        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
         M: Mode<Blending = Replace>,
     >(
         &mut self,
@@ -130,12 +130,12 @@ where
 impl<S, V, const PIXELS: usize, const VERTICES: usize> Bands<S, NoDepth, V, PIXELS, VERTICES>
 where
     S: Subpixel,
-    V: Varyings<OnScreen = V> + Interpolate,
+    V: Interpolate,
 {
     /// The same without depth.
     pub(super) fn draw_without_depth<
         P: Projection,
-        Sh: Shader<Color = Rgb565, Varyings = V>,
+        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
         M: Mode<Blending = Replace>,
     >(
         &mut self,
@@ -153,7 +153,7 @@ where
     /// The same straight onto the display, in the camera's viewport.
     pub(super) fn draw_directly<
         P: Projection,
-        Sh: Shader<Color = Rgb565, Varyings = V>,
+        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
         M: Mode<Blending = Replace>,
     >(
         &mut self,

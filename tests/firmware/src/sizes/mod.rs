@@ -11,6 +11,7 @@
 mod display;
 mod frames;
 pub mod scenes;
+mod textured;
 
 use core::sync::atomic::{AtomicU32, Ordering};
 

@@ -18,6 +18,9 @@ use rasterizer::{
     shade::{Flat, Gouraud, Level, Light, Unlit},
 };
 
+pub use super::textured::{
+    TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
+};
 use super::{
     Display, Scene,
     frames::{Bands, HEIGHT, ROWS, View, for_each_view, picture},
@@ -27,12 +30,12 @@ use crate::models::SPOT;
 use crate::models::{BALL, CUBE, SPHERE};
 
 /// The pixels of a band of a picture of 240 columns.
-const NARROW: usize = 240 * ROWS as usize;
+pub(super) const NARROW: usize = 240 * ROWS as usize;
 
 const NEAR: Distance = Distance::lit("0.1");
 const FAR: Distance = Distance::lit("100");
 
-const PERSPECTIVE: Perspective = match Perspective::new(Turn::degrees(40), NEAR, FAR) {
+pub(super) const PERSPECTIVE: Perspective = match Perspective::new(Turn::degrees(40), NEAR, FAR) {
     Ok(lens) => lens,
     Err(_) => panic!("the lens makes no sense"),
 };
@@ -43,9 +46,9 @@ const ORTHOGRAPHIC: Orthographic = match Orthographic::new(Distance::lit("2.5"),
 
 // In constants, because a text that is read at run time brings the code to read it.
 const SUN: Vec3 = Vec3::lit("-1", "2", "3");
-const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
+pub(super) const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
 
-const PICTURE: Rectangle = picture(240);
+pub(super) const PICTURE: Rectangle = picture(240);
 
 /// A model with light at its vertices and depth, in bands.
 fn gouraud<P: Projection, S: Subpixel, D, const PIXELS: usize, const VERTICES: usize>(
@@ -67,7 +70,7 @@ where
 }
 
 /// A camera that looks along -z.
-fn camera<P: Projection>(view: &View, lens: P, picture: Rectangle) -> Option<Camera<P>> {
+pub(super) fn camera<P: Projection>(view: &View, lens: P, picture: Rectangle) -> Option<Camera<P>> {
     Camera::at(view.eye, Rotation::IDENTITY, lens, picture).ok()
 }
 

@@ -68,7 +68,7 @@ fn scenes(timing: &Timing, scenes: &Scenes, miss: u64) -> Table {
         let all = models_of(timing, scene, miss);
         let (cycles, instructions) = (all[0], scene.instructions());
         let per = |items: u64| cycles.frame as f64 / items.max(1) as f64;
-        let parts = [cycles.clear, cycles.vertices, cycles.set_up, cycles.pixels];
+        let parts = [Some(cycles.clear), Some(cycles.vertices), cycles.set_up, Some(cycles.pixels)];
         let words = [&key.scene, &key.precision, &key.mode].map(String::clone).into_iter();
         table.row(
             words
@@ -77,7 +77,7 @@ fn scenes(timing: &Timing, scenes: &Scenes, miss: u64) -> Table {
                     format!("{:.2}", per(instructions.frame)),
                     format!("{:.1}", per(scene.pixels_drawn)),
                 ])
-                .chain(parts.map(count)),
+                .chain(parts.map(|part| part.map_or_else(String::new, count))),
         );
     }
     table

@@ -23,8 +23,8 @@ Examples:
   measure speed --fail-if-slower=0.2 m4     The same, by a fifth of a percent
   measure speed --save                      Figures for the repository: tests/measure/RESULTS.md
 
-The scenes spot-gouraud and suzanne-gouraud need spot.obj and suzanne.obj in the folder that
-RASTERIZER_MODELS names.
+The scenes of spot and suzanne need spot.obj, suzanne.obj, and spot_textured.obj with its picture,
+in the folder that RASTERIZER_MODELS names.
 
 Exit status: 0 if all is well, 1 with --fail-if-slower if a scene got slower, 2 for bad usage or if
 something is missing.";
@@ -52,7 +52,9 @@ fn percent(text: &str) -> Result<f64, String> {
 }
 
 /// The scenes of models that do not come with the project.
-const FOREIGN: &str = "spot-gouraud and suzanne-gouraud";
+const FOREIGN: &str = "the scenes of spot and suzanne";
+/// The files of these models.
+const FILES: &str = "spot.obj, suzanne.obj and spot_textured.obj";
 
 fn has_foreign_models() -> bool {
     env::var_os("RASTERIZER_MODELS").is_some()
@@ -66,8 +68,8 @@ fn has_foreign_models() -> bool {
 pub(crate) fn measure(cores: &[Core], to_be_saved: bool) -> Result<Speed> {
     if to_be_saved && !has_foreign_models() {
         bail!(
-            "saved figures must include {FOREIGN}: name the folder with spot.obj and suzanne.obj \
-             in RASTERIZER_MODELS"
+            "saved figures must include {FOREIGN}: name the folder with {FILES} in \
+             RASTERIZER_MODELS"
         );
     }
     PerCore::measure(cores)
@@ -78,10 +80,7 @@ pub(crate) fn left_out() -> String {
     if has_foreign_models() {
         return String::new();
     }
-    format!(
-        "\n{FOREIGN} are left out: RASTERIZER_MODELS names no folder with spot.obj and \
-         suzanne.obj.\n"
-    )
+    format!("\nLeft out are {FOREIGN}: RASTERIZER_MODELS names no folder with {FILES}.\n")
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
