@@ -117,10 +117,6 @@ impl<'a> TexelMap for AnyTexture<'a> {
     type Place = Place<SIDE, SIDE, Clamp, Clamp>;
     type Coordinates<C: CoordinateFormat> = Coordinates<C, SIDE, SIDE, Clamp, Clamp>;
 
-    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C> {
-        Coordinates::new(uv)
-    }
-
     fn texels(&self) -> &Self::Texels {
         &self.texels
     }

@@ -7,7 +7,9 @@ use crate::{
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
     numbers::codegen,
     raster::Gradients,
-    texture::{CoordinateFormat, Filter, Footprint, Texel, TexelMap, Texels, TextureVarying},
+    texture::{
+        CoordinateFormat, Filter, Footprint, LitTexels, Texel, TexelMap, Texels, TextureVarying,
+    },
 };
 
 /// A format in which a shader reads the texture coordinates of a mesh: `i16`, in Q2.14, or `i32`,
@@ -79,20 +81,12 @@ impl<T: TexelMap> Slot for Option<T> {
 
 /// The textures of a mesh by its materials, filtered by `F`, with perspective corrected by `M` and
 /// coordinates in the format `C`.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Skin<'a, S, F, M, C> {
     first: &'a S,
     all: &'a [S],
     choices: PhantomData<(F, M, C)>,
 }
-
-impl<S, F, M, C> Clone for Skin<'_, S, F, M, C> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S, F, M, C> Copy for Skin<'_, S, F, M, C> {}
 
 /// Texture coordinates as a filter takes them.
 type Coordinates<S, F, C> = <F as Filter<<S as Slot>::Texture>>::Coordinates<
@@ -110,6 +104,9 @@ pub(super) type FaceOf<S, F> = <F as Filter<<S as Slot>::Texture>>::Face;
 
 /// The texels of a texture.
 pub(super) type TexelsOf<S> = <<S as Slot>::Texture as TexelMap>::Texels;
+
+/// What the light of a texture is.
+pub(super) type LightOf<S> = <TexelsOf<S> as LitTexels>::Light;
 
 /// The type of a texel.
 pub(super) type TexelOf<S> = <TexelsOf<S> as Texels>::Texel;
@@ -146,7 +143,8 @@ impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'
 
     #[inline(always)]
     pub(super) fn vertex(vertex: &MeshVertex<'_>) -> Varying<S, F, M, C> {
-        PerspectiveCorrect::new(S::Texture::coordinates(C::of(vertex)).into())
+        let coordinates = <S::Texture as TexelMap>::Coordinates::<C>::from(C::of(vertex));
+        PerspectiveCorrect::new(coordinates.into())
     }
 
     /// What the filter computes of a triangle with these coordinates at its corners.
@@ -179,6 +177,26 @@ impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'
         F::sample(texture, face, pixel.value, pixel.inverse_w, |index| {
             fetch(texture.texels(), index)
         })
+    }
+}
+
+impl<S, F, M, C> Skin<'_, S, F, M, C>
+where
+    S: Slot<Texture: TexelMap<Texels: LitTexels>>,
+    F: Filter<S::Texture>,
+    M: Correction,
+    C: VertexCoordinates,
+{
+    /// The texel of a pixel in this light.
+    #[inline(always)]
+    pub(super) fn lit_texel(
+        texture: &S::Texture,
+        face: &FaceOf<S, F>,
+        pixel: Corrected<<S::Texture as TexelMap>::Place>,
+        light: LightOf<S>,
+    ) -> TexelOf<S> {
+        Self::texel(texture, face, pixel, |texels, index| texels.before_light(index, light))
+            .recolored(|color| TexelsOf::<S>::after_light(color, light))
     }
 }
 

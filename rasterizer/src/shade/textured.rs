@@ -42,7 +42,7 @@ use crate::{
 /// let smooth = Textured::new(&CHECKS).filtered(Bilinear).corrected(EveryPixel);
 /// # let _ = (nearest, smooth);
 /// ```
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Textured<'a, S, F = Nearest, M = Adaptive, C = i16>(Skin<'a, S, F, M, C>);
 
 impl<'a, S> Textured<'a, S> {
@@ -82,14 +82,6 @@ impl<'a, S, F, M, C> Textured<'a, S, F, M, C> {
         Textured(self.0.chosen())
     }
 }
-
-impl<S, F, M, C> Clone for Textured<'_, S, F, M, C> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S, F, M, C> Copy for Textured<'_, S, F, M, C> {}
 
 impl<S, F, M, C> Shader for Textured<'_, S, F, M, C>
 where

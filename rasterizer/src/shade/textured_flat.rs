@@ -6,7 +6,8 @@ use super::{
     Face, Light, OnScreen, Sample, Shader,
     flat::scaled_color,
     skin::{
-        ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates, bare,
+        ColorOf, Covered, FaceOf, LightOf, Skin, Slot, TexelOf, TexelsOf, Varying,
+        VertexCoordinates, bare,
     },
 };
 use crate::{
@@ -14,7 +15,7 @@ use crate::{
     geometry::Pose,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
-    texture::{Filter, LitTexels, Nearest, Texel as _, TexelMap},
+    texture::{Filter, LitTexels, Nearest, TexelMap},
 };
 
 /// The material's texture, lit by the normal of the triangle: each channel of a texel times the
@@ -25,7 +26,7 @@ use crate::{
 /// [`texture_coordinates`](crate::mesh::Tables::texture_coordinates) and
 /// [`face_normals`](crate::mesh::Tables::face_normals). A material without a texture is drawn like
 /// [`Flat`](super::Flat).
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct TexturedFlat<'a, S, F = Nearest, M = Adaptive, C = i16> {
     skin: Skin<'a, S, F, M, C>,
     light: Light,
@@ -53,32 +54,25 @@ impl<'a, S, F, M, C> TexturedFlat<'a, S, F, M, C> {
     /// Filtered in another way, such as [`Bilinear`](crate::texture::Bilinear).
     #[must_use]
     pub const fn filtered<G: Copy>(self, _: G) -> TexturedFlat<'a, S, G, M, C> {
-        TexturedFlat { skin: self.skin.chosen(), light: self.light }
+        self.chosen()
     }
 
     /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
     #[must_use]
     pub const fn corrected<N: Correction>(self, _: N) -> TexturedFlat<'a, S, F, N, C> {
-        TexturedFlat { skin: self.skin.chosen(), light: self.light }
+        self.chosen()
     }
 
     /// For meshes whose texture coordinates have any format, with 32 bits a vertex each.
     #[must_use]
     pub const fn with_wide_coordinates(self) -> TexturedFlat<'a, S, F, M, i32> {
+        self.chosen()
+    }
+
+    const fn chosen<G, N, D>(self) -> TexturedFlat<'a, S, G, N, D> {
         TexturedFlat { skin: self.skin.chosen(), light: self.light }
     }
 }
-
-impl<S, F, M, C> Clone for TexturedFlat<'_, S, F, M, C> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S, F, M, C> Copy for TexturedFlat<'_, S, F, M, C> {}
-
-/// What the light of a texture is.
-type LightOf<S> = <TexelsOf<S> as LitTexels>::Light;
 
 impl<S, F, M, C> Shader for TexturedFlat<'_, S, F, M, C>
 where
@@ -146,12 +140,7 @@ where
         let Covered { slot, color } = *surface;
         move |fragment| {
             slot.texture_or(
-                |texture| {
-                    Skin::<S, F, M, C>::texel(texture, &face, fragment.varyings, |texels, index| {
-                        texels.before_light(index, light)
-                    })
-                    .recolored(|color| TexelsOf::<S>::after_light(color, light))
-                },
+                |texture| Skin::<S, F, M, C>::lit_texel(texture, &face, fragment.varyings, light),
                 || bare(color),
             )
         }

@@ -24,7 +24,7 @@ use crate::{
 /// corrected. Needs [`texture_coordinates`](crate::mesh::Tables::texture_coordinates) and
 /// [`vertex_normals`](crate::mesh::Tables::vertex_normals). A material without a texture has its
 /// colour in this light.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct TexturedGouraud<'a, S, F = Nearest, M = Adaptive, C = i16, L = Affine> {
     skin: Skin<'a, S, F, M, C>,
     light: Light,
@@ -78,14 +78,6 @@ impl<'a, S, F, M, C, L> TexturedGouraud<'a, S, F, M, C, L> {
         TexturedGouraud { skin: self.skin.chosen(), light: self.light, level: PhantomData }
     }
 }
-
-impl<S, F, M, C, L> Clone for TexturedGouraud<'_, S, F, M, C, L> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<S, F, M, C, L> Copy for TexturedGouraud<'_, S, F, M, C, L> {}
 
 impl<S, F, M, C, L> Shader for TexturedGouraud<'_, S, F, M, C, L>
 where
@@ -154,12 +146,7 @@ where
             let (place, level) = fragment.varyings;
             let light = TexelsOf::<S>::light(level.value.to_bits());
             slot.texture_or(
-                |texture| {
-                    Skin::<S, F, M, C>::texel(texture, &face, place, |texels, index| {
-                        texels.before_light(index, light)
-                    })
-                    .recolored(|color| TexelsOf::<S>::after_light(color, light))
-                },
+                |texture| Skin::<S, F, M, C>::lit_texel(texture, &face, place, light),
                 || TexelOf::<S>::opaque(TexelsOf::<S>::plain(color, light)),
             )
         }

@@ -41,6 +41,14 @@ impl<T, const W: usize, const H: usize, X, Y> Coordinates<T, W, H, X, Y> {
     }
 }
 
+/// From u and v in the format of the mesh's table.
+impl<T, const W: usize, const H: usize, X, Y> From<[T; 2]> for Coordinates<T, W, H, X, Y> {
+    #[inline(always)]
+    fn from(uv: [T; 2]) -> Self {
+        Self { uv, wrap: PhantomData }
+    }
+}
+
 /// The format of a mesh's texture coordinates: `i16`, Q2.14, or `i32`, Q8.24.
 pub trait CoordinateFormat: Copy + Debug {
     /// How it is stepped from row to row.

@@ -88,11 +88,6 @@ impl<F: Texels, X: Wrap, Y: Wrap> TexelMap for DynamicTexture<F, X, Y> {
     type Coordinates<C: CoordinateFormat> = Coordinates<C, MAX_SIDE, MAX_SIDE, X, Y>;
 
     #[inline(always)]
-    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C> {
-        Coordinates::new(uv)
-    }
-
-    #[inline(always)]
     fn texels(&self) -> &F {
         &self.texels
     }

@@ -14,10 +14,7 @@ pub trait TexelMap: Copy {
     /// The place of a pixel.
     type Place: Copy;
     /// The coordinates of a vertex, in a mesh's format.
-    type Coordinates<C: CoordinateFormat>: TextureVarying<Sample = Self::Place>;
-
-    /// Returns the coordinates of a vertex.
-    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C>;
+    type Coordinates<C: CoordinateFormat>: TextureVarying<Sample = Self::Place> + From<[C; 2]>;
 
     /// Returns the texels.
     fn texels(&self) -> &Self::Texels;
@@ -106,11 +103,6 @@ impl<F: Table, const W: usize, const H: usize, X: Wrap, Y: Wrap> TexelMap
     type Texels = F;
     type Place = Place<W, H, X, Y>;
     type Coordinates<C: CoordinateFormat> = Coordinates<C, W, H, X, Y>;
-
-    #[inline(always)]
-    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C> {
-        Coordinates::new(uv)
-    }
 
     #[inline(always)]
     fn texels(&self) -> &F {

@@ -3,7 +3,7 @@
 use super::{
     Counts, LitTexels, Mix, StoredTexels, Table, Texels,
     colors::at,
-    texels::{level_of_varying, lit_after_filtering, varying_of_level},
+    texels::{level_of_varying, lit_after_filtering, places_in_a_palette, varying_of_level},
 };
 
 /// The parts of a byte that texels of `BITS` bits are.
@@ -85,38 +85,29 @@ impl<'a, C, const BITS: usize, const BYTES: usize, const COLORS: usize>
     }
 }
 
-impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Texels
-    for Indexed<'_, C, BITS, BYTES, COLORS>
+impl<C, const BITS: usize, const BYTES: usize, const COLORS: usize>
+    Indexed<'_, C, BITS, BYTES, COLORS>
 {
-    type Color = C;
-    type Texel = C;
-
-    fn counts(&self) -> Counts {
-        Self::COUNTS
+    #[inline(always)]
+    const fn byte(&self, index: usize) -> u8 {
+        *at(self.bytes, index)
     }
 
     #[inline(always)]
-    fn texel(&self, index: usize) -> C {
-        *at(self.palette, self.stored(index).into())
+    const fn palette(&self) -> &[C; COLORS] {
+        self.palette
     }
 }
+
+places_in_a_palette!(
+    [, const BYTES: usize] Indexed<'_, C, BITS, BYTES, COLORS>,
+    |_| Self::COUNTS
+);
 
 impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Table
     for Indexed<'_, C, BITS, BYTES, COLORS>
 {
     const COUNTS: Counts = Counts::in_bytes(BYTES, BITS);
-}
-
-impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> StoredTexels
-    for Indexed<'_, C, BITS, BYTES, COLORS>
-{
-    type Stored = u8;
-
-    #[inline(always)]
-    fn stored(&self, index: usize) -> u8 {
-        let byte = *at(self.bytes, index >> Packing::<BITS>::PART_BITS);
-        Packing::<BITS>::unpack(byte, index)
-    }
 }
 
 lit_after_filtering!(

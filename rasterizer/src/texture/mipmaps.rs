@@ -121,11 +121,6 @@ impl<F: Table, const W: usize, const H: usize, X: Wrap, Y: Wrap> TexelMap
     type Coordinates<C: CoordinateFormat> = Coordinates<C, W, H, X, Y>;
 
     #[inline(always)]
-    fn coordinates<C: CoordinateFormat>(uv: [C; 2]) -> Self::Coordinates<C> {
-        Coordinates::new(uv)
-    }
-
-    #[inline(always)]
     fn texels(&self) -> &F {
         &self.texels
     }

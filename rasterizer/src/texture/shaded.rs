@@ -1,6 +1,11 @@
 //! Texels with a table of their colours in each light.
 
-use super::{Counts, LitTexels, Mix, StoredTexels, Table, Texels, colors::at, indexed::Packing};
+use super::{
+    Counts, LitTexels, Mix, StoredTexels, Table, Texels,
+    colors::at,
+    indexed::Packing,
+    texels::{lit_by_palettes, places_in_a_palette},
+};
 
 /// The rows of a table of lit palettes.
 pub const SHADES: usize = 32;
@@ -31,21 +36,24 @@ impl<'a, C, const BITS: usize, const BYTES: usize, const COLORS: usize>
     }
 }
 
-impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Texels
-    for Shaded<'_, C, BITS, BYTES, COLORS>
+impl<C, const BITS: usize, const BYTES: usize, const COLORS: usize>
+    Shaded<'_, C, BITS, BYTES, COLORS>
 {
-    type Color = C;
-    type Texel = C;
-
-    fn counts(&self) -> Counts {
-        Self::COUNTS
+    #[inline(always)]
+    const fn byte(&self, index: usize) -> u8 {
+        *at(self.bytes, index)
     }
 
     #[inline(always)]
-    fn texel(&self, index: usize) -> C {
-        *at(&self.palettes[SHADES - 1], self.stored(index).into())
+    const fn palette(&self) -> &[C; COLORS] {
+        &self.palettes[SHADES - 1]
     }
 }
+
+places_in_a_palette!(
+    [, const BYTES: usize] Shaded<'_, C, BITS, BYTES, COLORS>,
+    |_| Self::COUNTS
+);
 
 impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Table
     for Shaded<'_, C, BITS, BYTES, COLORS>
@@ -53,49 +61,7 @@ impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> Table
     const COUNTS: Counts = Counts::in_bytes(BYTES, BITS);
 }
 
-impl<C: Copy, const BITS: usize, const BYTES: usize, const COLORS: usize> StoredTexels
-    for Shaded<'_, C, BITS, BYTES, COLORS>
-{
-    type Stored = u8;
-
-    #[inline(always)]
-    fn stored(&self, index: usize) -> u8 {
-        let byte = *at(self.bytes, index >> Packing::<BITS>::PART_BITS);
-        Packing::<BITS>::unpack(byte, index)
-    }
-}
-
-impl<C: Mix, const BITS: usize, const BYTES: usize, const COLORS: usize> LitTexels
-    for Shaded<'_, C, BITS, BYTES, COLORS>
-{
-    /// A row of the table.
-    type Light = usize;
-
-    #[inline(always)]
-    fn varying(level: u32) -> u16 {
-        varying_of_shade(level)
-    }
-
-    #[inline(always)]
-    fn light(varying: u32) -> usize {
-        shade_of_varying(varying)
-    }
-
-    #[inline(always)]
-    fn before_light(&self, index: usize, shade: usize) -> C {
-        *at(at(self.palettes, shade), self.stored(index).into())
-    }
-
-    #[inline(always)]
-    fn after_light(color: C, _: usize) -> C {
-        color
-    }
-
-    #[inline(always)]
-    fn plain(color: C, shade: usize) -> C {
-        color.lit(level_of_shade(shade, C::LIGHT_BITS))
-    }
-}
+lit_by_palettes!([, const BYTES: usize] Shaded<'_, C, BITS, BYTES, COLORS>);
 
 /// 0 and 65,536 lie in the middle of the first and the last row: the row is the upper bits.
 #[inline(always)]

@@ -6,7 +6,10 @@ use super::{
     indexed::Packing,
     masked::is_half,
     shaded::{level_of_shade, shade_of_varying, varying_of_shade},
-    texels::{level_of_varying, lit_after_filtering, transparent, varying_of_level},
+    texels::{
+        level_of_varying, lit_after_filtering, lit_by_palettes, places_in_a_palette, transparent,
+        varying_of_level,
+    },
 };
 
 /// Texels like [`Colors`](super::Colors), as a slice.
@@ -77,30 +80,22 @@ impl<'a, C, const BITS: usize, const COLORS: usize> IndexedSlice<'a, C, BITS, CO
     }
 }
 
-impl<C: Copy, const BITS: usize, const COLORS: usize> Texels for IndexedSlice<'_, C, BITS, COLORS> {
-    type Color = C;
-    type Texel = C;
-
-    fn counts(&self) -> Counts {
-        Counts::in_bytes(self.bytes.len(), BITS)
+impl<C, const BITS: usize, const COLORS: usize> IndexedSlice<'_, C, BITS, COLORS> {
+    #[inline(always)]
+    fn byte(&self, index: usize) -> u8 {
+        byte(self.bytes, index)
     }
 
     #[inline(always)]
-    fn texel(&self, index: usize) -> C {
-        *at(self.palette, self.stored(index).into())
+    const fn palette(&self) -> &[C; COLORS] {
+        self.palette
     }
 }
 
-impl<C: Copy, const BITS: usize, const COLORS: usize> StoredTexels
-    for IndexedSlice<'_, C, BITS, COLORS>
-{
-    type Stored = u8;
-
-    #[inline(always)]
-    fn stored(&self, index: usize) -> u8 {
-        Packing::<BITS>::unpack(byte(self.bytes, index >> Packing::<BITS>::PART_BITS), index)
-    }
-}
+places_in_a_palette!(
+    [] IndexedSlice<'_, C, BITS, COLORS>,
+    |texels| Counts::in_bytes(texels.bytes.len(), BITS)
+);
 
 lit_after_filtering!([C: Mix] ColorSlice<'_, C>);
 lit_after_filtering!([C: Mix, const BITS: usize, const COLORS: usize] IndexedSlice<'_, C, BITS, COLORS>);
@@ -121,62 +116,24 @@ impl<'a, C, const BITS: usize, const COLORS: usize> ShadedSlice<'a, C, BITS, COL
     }
 }
 
-impl<C: Copy, const BITS: usize, const COLORS: usize> Texels for ShadedSlice<'_, C, BITS, COLORS> {
-    type Color = C;
-    type Texel = C;
-
-    fn counts(&self) -> Counts {
-        Counts::in_bytes(self.bytes.len(), BITS)
+impl<C, const BITS: usize, const COLORS: usize> ShadedSlice<'_, C, BITS, COLORS> {
+    #[inline(always)]
+    fn byte(&self, index: usize) -> u8 {
+        byte(self.bytes, index)
     }
 
     #[inline(always)]
-    fn texel(&self, index: usize) -> C {
-        *at(&self.palettes[SHADES - 1], self.stored(index).into())
+    const fn palette(&self) -> &[C; COLORS] {
+        &self.palettes[SHADES - 1]
     }
 }
 
-impl<C: Copy, const BITS: usize, const COLORS: usize> StoredTexels
-    for ShadedSlice<'_, C, BITS, COLORS>
-{
-    type Stored = u8;
+places_in_a_palette!(
+    [] ShadedSlice<'_, C, BITS, COLORS>,
+    |texels| Counts::in_bytes(texels.bytes.len(), BITS)
+);
 
-    #[inline(always)]
-    fn stored(&self, index: usize) -> u8 {
-        Packing::<BITS>::unpack(byte(self.bytes, index >> Packing::<BITS>::PART_BITS), index)
-    }
-}
-
-impl<C: Mix, const BITS: usize, const COLORS: usize> LitTexels
-    for ShadedSlice<'_, C, BITS, COLORS>
-{
-    /// A row of the table.
-    type Light = usize;
-
-    #[inline(always)]
-    fn varying(level: u32) -> u16 {
-        varying_of_shade(level)
-    }
-
-    #[inline(always)]
-    fn light(varying: u32) -> usize {
-        shade_of_varying(varying)
-    }
-
-    #[inline(always)]
-    fn before_light(&self, index: usize, shade: usize) -> C {
-        *at(at(self.palettes, shade), self.stored(index).into())
-    }
-
-    #[inline(always)]
-    fn after_light(color: C, _: usize) -> C {
-        color
-    }
-
-    #[inline(always)]
-    fn plain(color: C, shade: usize) -> C {
-        color.lit(level_of_shade(shade, C::LIGHT_BITS))
-    }
-}
+lit_by_palettes!([] ShadedSlice<'_, C, BITS, COLORS>);
 
 /// Texels with an alpha plane like [`Masked`](super::Masked), as a slice.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

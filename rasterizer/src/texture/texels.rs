@@ -151,6 +151,75 @@ macro_rules! lit_after_filtering {
     };
 }
 
+/// [`Texels`] and [`StoredTexels`] for texels of `BITS` bits that are places in a `palette` of
+/// `COLORS` colours, of which `byte` reads some together.
+macro_rules! places_in_a_palette {
+    ([$($parameters:tt)*] $texels:ty, $counts:expr) => {
+        impl<C: Copy, const BITS: usize, const COLORS: usize $($parameters)*> Texels for $texels {
+            type Color = C;
+            type Texel = C;
+
+            fn counts(&self) -> Counts {
+                let counts: fn(&Self) -> Counts = $counts;
+                counts(self)
+            }
+
+            #[inline(always)]
+            fn texel(&self, index: usize) -> C {
+                *at(self.palette(), self.stored(index).into())
+            }
+        }
+
+        impl<C: Copy, const BITS: usize, const COLORS: usize $($parameters)*> StoredTexels
+            for $texels
+        {
+            type Stored = u8;
+
+            #[inline(always)]
+            fn stored(&self, index: usize) -> u8 {
+                Packing::<BITS>::unpack(self.byte(index >> Packing::<BITS>::PART_BITS), index)
+            }
+        }
+    };
+}
+
+/// [`LitTexels`] for texels of such a palette, of which there is one for each row of light.
+macro_rules! lit_by_palettes {
+    ([$($parameters:tt)*] $texels:ty) => {
+        impl<C: Mix, const BITS: usize, const COLORS: usize $($parameters)*> LitTexels
+            for $texels
+        {
+            /// A row of the table.
+            type Light = usize;
+
+            #[inline(always)]
+            fn varying(level: u32) -> u16 {
+                varying_of_shade(level)
+            }
+
+            #[inline(always)]
+            fn light(varying: u32) -> usize {
+                shade_of_varying(varying)
+            }
+
+            #[inline(always)]
+            fn before_light(&self, index: usize, shade: usize) -> C {
+                *at(at(self.palettes, shade), self.stored(index).into())
+            }
+
+            #[inline(always)]
+            fn after_light(color: C, _: usize) -> C {
+                color
+            }
+
+            #[inline(always)]
+            fn plain(color: C, shade: usize) -> C {
+                color.lit(level_of_shade(shade, C::LIGHT_BITS))
+            }
+        }
+    };
+}
+
 /// [`Texels::texel`] and [`LitTexels`] for texels of which those that are not `is_opaque` are
 /// transparent.
 macro_rules! transparent {
@@ -201,7 +270,7 @@ macro_rules! transparent {
     };
 }
 
-pub(super) use {lit_after_filtering, transparent};
+pub(super) use {lit_after_filtering, lit_by_palettes, places_in_a_palette, transparent};
 
 #[cfg(test)]
 mod tests {

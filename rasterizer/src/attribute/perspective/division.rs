@@ -3,10 +3,7 @@
 //! A span has a block exponent too: the larger q of its ends has its most significant bit at 2^30.
 
 use super::quotient::{AtPixel, Block, upper};
-use crate::{
-    attribute::Components,
-    numbers::{Reciprocal, leading_zeros, mul_high},
-};
+use crate::{attribute::Components, numbers::leading_zeros};
 
 /// How numerators of a span are divided.
 #[derive(Clone, Copy, Debug)]
@@ -68,28 +65,19 @@ impl<V: Components> Division<V> {
     /// The numbers at a pixel, modulo 2^32.
     #[inline(always)]
     pub(super) fn numbers(&self, at: &AtPixel<V>) -> V::Each<i32> {
+        if !self.is_quick {
+            return at.divided(&self.block);
+        }
+        // s / q = s' r / 2^30 with the upper 16 bits of both and r = 2^30 / q'. One Newton step
+        // from 2^-6.6 gives r within 2^-13.2.
+        let q = (at.q() + (1 << 14)) >> 15;
+        let r0 = u32::from(SEED[((q >> 8) as usize).wrapping_sub(64).min(191)]) << 8;
+        let error = ((1u32 << 30).wrapping_sub(q * r0) as i32) >> 10;
+        let r = r0 as i32 + ((r0 as i32 * error) >> 20);
         let mut numbers = self.block.base;
-        let each = numbers.as_mut().iter_mut().zip(at.numerators.as_ref());
-        if self.is_quick {
-            // s / q = s' r / 2^30 with the upper 16 bits of both and r = 2^30 / q'. One Newton step
-            // from 2^-6.6 gives r within 2^-13.2.
-            let q = (at.q() + (1 << 14)) >> 15;
-            let r0 = u32::from(SEED[((q >> 8) as usize).wrapping_sub(64).min(191)]) << 8;
-            let error = ((1u32 << 30).wrapping_sub(q * r0) as i32) >> 10;
-            let r = r0 as i32 + ((r0 as i32 * error) >> 20);
-            for (number, numerator) in each {
-                let quotient = ((upper(*numerator) + (1 << 14)) >> 15) * r;
-                *number = number.wrapping_add((quotient << 1) >> self.block.down);
-            }
-        } else {
-            let reciprocal = Reciprocal::of(at.q());
-            let up = reciprocal.leading_zeros - 1;
-            for (number, numerator) in each {
-                // s / q = (s << (z - 1)) m 2^-61, with z >= 1 and |s| < q / 2: the upper half of
-                // the product has 29 bits behind the point, and is below 2^28.
-                let quotient = mul_high(upper(*numerator) << up, reciprocal.mantissa);
-                *number = number.wrapping_add((quotient << 2) >> self.block.down);
-            }
+        for (number, numerator) in numbers.as_mut().iter_mut().zip(at.numerators.as_ref()) {
+            let quotient = ((upper(*numerator) + (1 << 14)) >> 15) * r;
+            *number = number.wrapping_add((quotient << 1) >> self.block.down);
         }
         numbers
     }
