@@ -176,7 +176,7 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
 {
     const ZERO: Self = Self::new([T::ZERO; 2]);
 
-    type Field = Slope<T, W, H, X, Y>;
+    type Field = LinearCoordinates<T, W, H, X, Y>;
     type Walk = Place<W, H, X, Y>;
     type Rest = Anchored<T, W, H, X, Y>;
     type Sample = Place<W, H, X, Y>;
@@ -190,7 +190,7 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
         let u = T::linear(setup, quick, [a.uv[0], b.uv[0], c.uv[0]]);
         let v = T::linear(setup, quick, [a.uv[1], b.uv[1], c.uv[1]]);
         let step = Place::step([T::change_to_q24(u.per_column), T::change_to_q24(v.per_column)]);
-        Slope { u, v, step }
+        LinearCoordinates { u, v, step }
     }
 
     #[inline(always)]
@@ -335,7 +335,7 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Step for Place<W, H, X, Y
 
 /// Coordinates that are linear on the screen.
 #[derive(Clone, Copy, Debug)]
-pub struct Slope<T: CoordinateFormat, const W: usize, const H: usize, X, Y> {
+pub struct LinearCoordinates<T: CoordinateFormat, const W: usize, const H: usize, X, Y> {
     u: Plane<T::Value>,
     v: Plane<T::Value>,
     /// The change of the place from pixel to pixel.
@@ -343,7 +343,7 @@ pub struct Slope<T: CoordinateFormat, const W: usize, const H: usize, X, Y> {
 }
 
 impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Field
-    for Slope<T, W, H, X, Y>
+    for LinearCoordinates<T, W, H, X, Y>
 {
     #[inline(always)]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {

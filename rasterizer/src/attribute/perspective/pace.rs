@@ -42,7 +42,7 @@ pub(super) trait Rule {
     fn is_affine<V: Components>(corners: &Corners<V>) -> bool;
 
     /// The law of a triangle.
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V>;
+    fn law<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V>;
 
     /// Whether 16 bits are enough for a division.
     fn may_be_quick<V: Components>(law: &Law<V>) -> bool;
@@ -73,7 +73,7 @@ impl<const N: usize> Rule for Every<N> {
     }
 
     #[inline(always)]
-    fn of<V: Components>(_: &Corners<V>, _: &Quotient<V>) -> Law<V> {
+    fn law<V: Components>(_: &Corners<V>, _: &Quotient<V>) -> Law<V> {
         Law { w: V::each([0; 2]), level: 0, is_quick: false }
     }
 
@@ -141,7 +141,7 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
     }
 
     #[inline(always)]
-    fn of<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V> {
+    fn law<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V> {
         let [along, down] = quotient.q_slopes();
         let mut magnitude = along.unsigned_abs();
         let numerators = quotient.numerator_slopes();

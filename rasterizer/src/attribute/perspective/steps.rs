@@ -79,7 +79,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         }
         let bits = corners.bits();
         let quotient = Quotient::new(setup, quick, &corners, bits);
-        let law = P::of(&corners, &quotient);
+        let law = P::law(&corners, &quotient);
         SteppedField::Divided(quotient, law)
     }
 
