@@ -129,6 +129,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
+//! | [`color`] | a colour of a byte, and dithering to colours of few bits |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
@@ -235,6 +236,7 @@ extern crate std;
 
 pub mod attribute;
 pub mod camera;
+pub mod color;
 pub mod geometry;
 pub mod mesh;
 pub mod numbers;

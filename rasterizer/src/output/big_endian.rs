@@ -7,7 +7,10 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 use super::{StoredColor, WordFill};
-use crate::texture::Mix;
+use crate::{
+    color::{Dither, FullColor},
+    texture::Mix,
+};
 
 /// RGB565 with its more significant byte first, the order in which SPI displays take it: a DMA
 /// channel can send a band of these as it lies in memory.
@@ -75,6 +78,14 @@ impl Mix for Rgb565Be {
     #[inline(always)]
     fn lit(self, level: u32) -> Self {
         Rgb565::from(self).lit(level).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Dither for Rgb565Be {
+    #[inline(always)]
+    fn dithered<const SIZE: usize>(color: impl FullColor, column: i32, row: i32) -> Self {
+        Rgb565::dithered::<SIZE>(color, column, row).into()
     }
 }
 
