@@ -8,6 +8,8 @@ mod depth;
 mod direct;
 mod fill;
 mod frame;
+mod keep_depth;
+mod modes;
 mod pixels;
 
 pub use bands::{BandAreas, Bands, StreamError};
@@ -18,6 +20,8 @@ pub use depth::{DepthBuffer, FrameDepth, StoredDepth};
 pub use direct::Direct;
 pub use fill::{Fill, PixelFill, WordFill};
 pub use frame::{Frame, FrameError, Packed, Rows, Strided};
+pub use keep_depth::KeepDepth;
+pub use modes::{Add, Factor, Multiply, Over, Screen};
 
 use crate::{
     attribute::DepthFormat,
