@@ -13,8 +13,8 @@ use crate::{
 /// Another blending that does not store depth: what is drawn later is hidden by what was drawn
 /// before with its depth, not by these pixels. They are tested as others are.
 ///
-/// For glow, smoke and glass, whose parts are all to be seen behind one another: `KeepDepth(Add(..))`
-/// gives the same picture in any order of triangles up to rounding and saturation,
+/// For glow, smoke and glass, whose parts are all to be seen behind one another:
+/// `KeepDepth(Add(..))` gives the same picture in any order of triangles, up to rounding;
 /// `KeepDepth(Over(..))` needs them [from back to front](crate::scene::Projected::back_to_front).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct KeepDepth<B>(pub B);

@@ -1,36 +1,12 @@
 //! Blending modes by formulas of [`Composite`].
 
-use super::{Blending, Readable};
+use super::{Blending, Factor, Readable};
 use crate::{
     color::{Alpha, Composite},
     mesh::MeshMaterial,
     raster::{FragmentOf, Primitive, Window},
     shade::Outcome,
 };
-
-/// How much of each pixel a blending mode puts onto the target: an [`Alpha`] for all of an object.
-///
-/// A shader whose pixels have an alpha ([`Layer`](crate::shade::Layer)) has the product of both.
-pub trait Factor: Copy {
-    /// Returns it for the triangles of a material.
-    #[must_use]
-    fn of_material(self, material: &MeshMaterial<'_>) -> Self;
-
-    /// The factor of these triangles.
-    fn alpha(self) -> Alpha;
-}
-
-impl Factor for Alpha {
-    #[inline(always)]
-    fn of_material(self, _: &MeshMaterial<'_>) -> Self {
-        self
-    }
-
-    #[inline(always)]
-    fn alpha(self) -> Alpha {
-        self
-    }
-}
 
 /// [`Blending`] by a method of [`Composite`].
 macro_rules! blending {

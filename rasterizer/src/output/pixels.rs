@@ -14,8 +14,8 @@ use crate::{
 const LONG_RUN: usize = 16;
 
 /// Draws those pixels of a primitive that are nearer than what is stored, which their depth then
-/// replaces, unless the outcome keeps it: what was drawn first wins a tie. `pixel` gets the stored colour and the fragment.
-/// Addresses in `layout` count in `colors` as in `cells`.
+/// replaces, unless their outcome leaves it: what was drawn first wins a tie. `pixel` gets the
+/// stored colour and the fragment. Addresses in `layout` count in `colors` as in `cells`.
 #[inline(always)]
 pub(super) fn draw<C: Copy, Q: Primitive, O: Outcome<C>>(
     colors: &mut [C],

@@ -5,7 +5,7 @@ use fixed::types::U16F16;
 use super::{Face, OnScreen, Outcome, Sample, Shader};
 use crate::{
     color::Alpha,
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
 };
@@ -61,8 +61,8 @@ impl<Sh: Shader, F: Fn(&MeshVertex<'_>) -> Alpha + Clone> Shader for Faded<Sh, F
 
     const TABLES: RequiredTables = Sh::TABLES;
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self { shader: self.shader.for_object(pose), alpha: self.alpha.clone() }
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { shader: self.shader.for_object(view), alpha: self.alpha.clone() }
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Sh::Surface {

@@ -3,7 +3,8 @@
 use rasterizer::{
     color::Alpha,
     geometry::{CullBack, CullFront, Culling},
-    output::{Add, Blending, KeepDepth, Multiply, Over, Replace, Screen},
+    mesh::{Finish, Material},
+    output::{Add, Blending, KeepDepth, MaterialOpacity, Multiply, Over, Replace, Screen},
     shade::{Faded, Layer},
 };
 
@@ -140,6 +141,46 @@ fn replacing_tests_the_alpha() {
     blends::<u16, _, _>(&LAYERS, Replace, OVER, tested, false);
     blends::<u16, _, _>(&LAYERS, KeepDepth(Replace), OVER, tested, true);
     blends::<NoDepth, _, _>(&LAYERS, Blend(|_, new| new), OVER, tested, false);
+}
+
+/// Two materials of different opacity: each pixel has that of the material whose colour it has.
+#[test]
+fn materials_give_an_alpha() {
+    const COLORS: [[u8; 3]; 2] = [[250, 220, 150], [20, 220, 150]];
+    const OPACITIES: [u8; 2] = [90, 200];
+    let materials = COLORS.map(|color| Material::new(color, 6));
+    let finishes = OPACITIES.map(|opacity| Finish::MATTE.with_opacity(opacity));
+    let cube = cube();
+    let plain = Tables { materials: &materials, ..*cube.mesh().tables() };
+    let finished = Mesh::new(Tables { finishes: &finishes, ..plain }).unwrap();
+    let plain = Mesh::new(plain).unwrap();
+    let camera = at("2.4", DISPLAY);
+    let draw = |mesh, opacity: Option<Alpha>| {
+        NoDepth::frame(|frame| {
+            let object = Object::new(mesh, Unlit::new()).posed(turned());
+            match opacity {
+                Some(factor) => {
+                    let object = object.blended(Over(MaterialOpacity::times(factor)));
+                    object.project_on_demand(&camera, S8).unwrap().draw(frame)
+                }
+                None => object.project_on_demand(&camera, S8).unwrap().draw(frame),
+            }
+        })
+    };
+    let opaque = draw(&plain, None);
+    assert!(draw(&plain, Some(Alpha::OPAQUE)).color == opaque.color, "no finish is opaque");
+    for factor in [Alpha::OPAQUE, Alpha::from_bits(100)] {
+        let blend = draw(&finished, Some(factor));
+        let mut pixels = [0; 2];
+        for (&color, &got) in opaque.color.iter().zip(&blend.color) {
+            let of = |&rgb: &[u8; 3]| rgb == [color.r(), color.g(), color.b()];
+            let Some(material) = COLORS.iter().position(of) else { continue };
+            pixels[material] += 1;
+            let alpha = Alpha::from_u8(OPACITIES[material]).scaled(factor);
+            assert_eq!(got, blended(OVER, [BACKGROUND, color], alpha));
+        }
+        assert!(pixels.iter().all(|&pixels| pixels > 100), "{pixels:?}");
+    }
 }
 
 /// A white ball that fades along its height, in one colour a triangle and shaded, cut by the near
