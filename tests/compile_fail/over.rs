@@ -1,6 +1,6 @@
 //! An object lies over the pixels of a frame. With `--cfg display` they are those of a display,
-//! with `--cfg binary` they are on or off: neither compiles. `tests/compile_fail.rs` hands it to the
-//! compiler; it is no target of Cargo's.
+//! with `--cfg binary` they are on or off: neither compiles. `tests/compile_fail.rs` hands it to
+//! the compiler; it is no target of Cargo's.
 
 #![crate_type = "lib"]
 

@@ -1,5 +1,5 @@
-//! Triangles from back to front: the order is that of their exact distances, blended frames in bands
-//! are the whole frame, and a sorted body without a depth buffer is that of one with it.
+//! Triangles from back to front: the order is that of their exact distances, blended frames in
+//! bands are the whole frame, and a sorted body without a depth buffer is that of one with it.
 
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor as _};
 use rasterizer::{

@@ -3,9 +3,9 @@
 //! For a frame of several objects call [`Object::draw`] once for each; each call is compiled for
 //! its shader. Where the frame is drawn in bands, [`Object::project`] does the work on the vertices
 //! once, [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`]
-//! is called for each band. [`Projected::back_to_front`] sorts triangles for objects that are blended.
-//! [`Object::project_on_demand`] needs no storage for vertices. [`Needs`]
-//! gives the length of every buffer at compile time.
+//! is called for each band. [`Projected::back_to_front`] sorts triangles for objects that are
+//! blended. [`Object::project_on_demand`] needs no storage for vertices. [`Needs`] gives the length
+//! of every buffer at compile time.
 //!
 //! # Stack discipline
 //!

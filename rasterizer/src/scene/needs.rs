@@ -60,8 +60,8 @@ impl Needs {
         }
     }
 
-    /// The bytes of vertices, bins and pixels together, with sub-pixels `S`, depth `D`, and the colour and the
-    /// varyings of a shader.
+    /// The bytes of vertices, bins and pixels together, with sub-pixels `S`, depth `D`, and the
+    /// colour and the varyings of a shader.
     #[must_use]
     pub const fn bytes<S, D, Sh: Shader>(&self) -> usize {
         self.vertices * size_of::<ScreenVertex<S, D, OnScreen<Sh>>>()

@@ -135,8 +135,8 @@ where
         });
     }
 
-    /// How far the middle of a triangle lies along the camera's axis, in an object's own units: more
-    /// is farther away.
+    /// How far the middle of a triangle lies along the camera's axis, in an object's own units:
+    /// more is farther away.
     pub(super) fn distance(&self, index: usize) -> i32 {
         let corners = self.tables.triangles.get(index).unwrap_or_default();
         let mut sum = [0; 3];

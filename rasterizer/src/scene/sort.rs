@@ -68,8 +68,8 @@ const fn bits(number: u32) -> u32 {
     if number == 0 { 0 } else { 32 - leading_zeros(number) }
 }
 
-/// Sorts words in ascending order: by their first digit, then each part by the next
-/// (binary radix exchange: Hildebrandt and Isbitz, *Radix Exchange*, Journal of the ACM 6(2), 1959).
+/// Sorts words in ascending order: by their first digit, then each part by the next (binary radix
+/// exchange: Hildebrandt and Isbitz, *Radix Exchange*, Journal of the ACM 6(2), 1959).
 ///
 /// It needs no memory besides a stack of at most log2 n calls, and visits each word at most 32
 /// times, most often log2 n times and a few.
