@@ -8,7 +8,7 @@ use embedded_graphics_core::pixelcolor::{
 
 use super::{StoredColor, WordFill};
 use crate::{
-    color::{Dither, FullColor},
+    color::{Alpha, Composite, Dither, FullColor},
     texture::Mix,
 };
 
@@ -86,6 +86,29 @@ impl Dither for Rgb565Be {
     #[inline(always)]
     fn dithered<const SIZE: usize>(color: impl FullColor, column: i32, row: i32) -> Self {
         Rgb565::dithered::<SIZE>(color, column, row).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Composite for Rgb565Be {
+    #[inline(always)]
+    fn over(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).over(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn add(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).add(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn multiply(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).multiply(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn screen(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).screen(stored.into(), alpha).into()
     }
 }
 

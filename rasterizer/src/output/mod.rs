@@ -9,8 +9,11 @@ mod color;
 mod depth;
 mod direct;
 mod dithering;
+mod factor;
 mod fill;
 mod frame;
+mod keep_depth;
+mod modes;
 mod packed;
 mod pixels;
 
@@ -23,8 +26,11 @@ pub use color::StoredColor;
 pub use depth::{DepthBuffer, FrameDepth, StoredDepth};
 pub use direct::Direct;
 pub use dithering::Dithering;
+pub use factor::{Factor, MaterialOpacity};
 pub use fill::{ByteFill, Fill, PixelFill, WordFill};
 pub use frame::{Frame, FrameError, Packed, Rows, Strided};
+pub use keep_depth::KeepDepth;
+pub use modes::{Add, Multiply, Over, Screen};
 pub use packed::PackedFrame;
 
 use crate::{

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 
 use super::{Face, Outcome, Sample, Shader};
 use crate::{
-    color::{Dither, FullColor},
-    geometry::Pose,
+    color::{Alpha, Dither, FullColor},
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
     shade::OnScreen,
@@ -121,6 +121,8 @@ impl<O: Outcome<S>, S: FullColor, C: Dither, const SIZE: usize> Outcome<C>
     for DitheredPixel<O, S, SIZE>
 {
     const DISCARDS: bool = O::DISCARDS;
+    const WRITES_DEPTH: bool = O::WRITES_DEPTH;
+    const HAS_ALPHA: bool = O::HAS_ALPHA;
 
     #[inline(always)]
     fn color(self) -> Option<C> {
@@ -129,6 +131,15 @@ impl<O: Outcome<S>, S: FullColor, C: Dither, const SIZE: usize> Outcome<C>
             Before::Shaded(outcome) => outcome.color(),
         };
         color.map(|color| C::dithered::<SIZE>(color, self.column, self.row))
+    }
+
+    #[inline(always)]
+    fn layer(self) -> Option<(C, Alpha)> {
+        let layer = match self.color {
+            Before::Solid(color) => Some((color, Alpha::OPAQUE)),
+            Before::Shaded(outcome) => outcome.layer(),
+        };
+        layer.map(|(color, alpha)| (C::dithered::<SIZE>(color, self.column, self.row), alpha))
     }
 }
 
@@ -141,8 +152,8 @@ impl<Sh: Shader<Color: FullColor>, C: Dither, const SIZE: usize> Shader for Dith
 
     const TABLES: RequiredTables = Sh::TABLES;
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self::with_size(self.shader.for_object(pose))
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self::with_size(self.shader.for_object(view))
     }
 
     #[inline(always)]
