@@ -6,7 +6,7 @@
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
     attribute::{Affine, Components, Correction as _},
-    shade::{Flat, Gouraud, Shader as _, Textured, TexturedFlat, TexturedGouraud, Unlit},
+    shade::{Flat, Gouraud, Light, Textured, TexturedFlat, TexturedGouraud, Unlit},
     texture::TextureVarying,
 };
 
@@ -91,7 +91,7 @@ pub(super) fn draw<'a>(
     match view.shading {
         Shading::Flat => {
             let shader = Flat::<Rgb888>::new(core_light);
-            let turned = shader.for_object(&view.pose());
+            let turned = core_light.for_object(&view.pose());
             let normals = view.pose_points(&surface.triangle_normals(model));
             fixed::draw(
                 (model, surface),
@@ -156,7 +156,7 @@ fn draw_textured<'a>(
                 .filtered(AnyFilter)
                 .corrected(AnyMode)
                 .with_wide_coordinates();
-            let turned = Flat::<Rgb888>::new(core_light).for_object(&view.pose());
+            let turned = core_light.for_object(&view.pose());
             let normals = view.pose_points(&surface.triangle_normals(model));
             textured::draw(
                 all,
@@ -300,10 +300,9 @@ fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>>
     levels
 }
 
-/// The level of a face by the definition, from its normal in the table and from a shader in object
+/// The level of a face by the definition, from its normal in the table and from a light in object
 /// space.
-fn quantised_level(shader: &Flat<Rgb888>, normal: [i8; 3]) -> f64 {
-    let light = shader.light();
+fn quantised_level(light: &Light, normal: [i8; 3]) -> f64 {
     let product =
         |i: usize| f64::from(normal[i]) / 127.0 * f64::from(light.toward()[i]) / 2f64.powi(30);
     let dot: f64 = (0..3).map(product).sum();

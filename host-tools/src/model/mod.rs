@@ -6,10 +6,10 @@
 //! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
 //! values before rounding.
 //!
-//! The converter reads positions, normals, texture coordinates, faces, diffuse colours and textures
-//! of an OBJ file, and its smoothing groups where it has no normals. What else a file shows and the
-//! tables cannot hold, such as lines, curves, vertex colours and transparent materials, it leaves
-//! out with a warning for each kind.
+//! The converter reads positions, normals, texture coordinates, faces, diffuse colours, textures
+//! and finishes of an OBJ file, and its smoothing groups where it has no normals. What else a file
+//! shows and the tables cannot hold, such as lines, curves, vertex colours and textures of opacity,
+//! it leaves out with a warning for each kind.
 
 mod cap;
 mod ears;
@@ -49,7 +49,7 @@ mod write;
 use std::path::{Path, PathBuf};
 
 use rasterizer::{
-    mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
+    mesh::{Finish, Material, Mesh, Normals, Positions, Tables, Triangles},
     numbers::{Scale, Vec3},
 };
 
@@ -97,6 +97,8 @@ pub struct Model {
     pub triangles: Indices,
     /// The colours and how many triangles each covers.
     pub materials: Vec<Material>,
+    /// What the materials show besides, or none if all are matte and opaque.
+    pub finishes: Vec<Finish>,
     /// The textures of the materials, if any of them has one.
     pub textures: Option<Textures>,
     /// The tables before rounding.
@@ -257,6 +259,9 @@ impl Model {
         }
         let materials: Vec<Material> =
             used.iter().map(|&(id, count)| Material::new(polygons.colors[id], count)).collect();
+        let finishes: Vec<Finish> = used.iter().map(|&(id, _)| libraries.finish(id)).collect();
+        let is_matte = finishes.iter().all(|&finish| finish == Finish::MATTE);
+        let finishes = if is_matte { Vec::new() } else { finishes };
         if !options.smoothing_groups {
             corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
         }
@@ -332,6 +337,7 @@ impl Model {
             offset: fitted.offset,
             texture_coordinates,
             materials,
+            finishes,
             textures,
             exact,
             report: Report {
@@ -369,6 +375,8 @@ impl Model {
             texture_coordinates: self.texture_coordinates.as_column(),
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
+            finishes: &self.finishes,
+            ..Tables::EMPTY
         })
     }
 
@@ -405,6 +413,7 @@ impl Model {
                 Indices::U16(triangles) => size_of_val(&triangles[..]),
             },
             materials: size_of_val(&self.materials[..]),
+            finishes: size_of_val(&self.finishes[..]),
             textures: self.textures.as_ref().map_or(0, Textures::bytes),
         };
     }

@@ -55,6 +55,8 @@ pub struct Flash {
     pub triangles: usize,
     /// One `Material` each.
     pub materials: usize,
+    /// One `Finish` each.
+    pub finishes: usize,
     /// Texels, palettes and planes of alpha.
     pub textures: usize,
 }
@@ -62,7 +64,7 @@ pub struct Flash {
 impl Flash {
     /// The tables by name.
     #[must_use]
-    pub const fn tables(&self) -> [(&'static str, usize); 7] {
+    pub const fn tables(&self) -> [(&'static str, usize); 8] {
         [
             ("positions", self.positions),
             ("vertex_normals", self.vertex_normals),
@@ -70,6 +72,7 @@ impl Flash {
             ("texture_coordinates", self.texture_coordinates),
             ("triangles", self.triangles),
             ("materials", self.materials),
+            ("finishes", self.finishes),
             ("textures", self.textures),
         ]
     }
@@ -137,7 +140,8 @@ impl fmt::Display for Report {
             self.cache_misses, self.cache_misses_before
         )?;
         writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
-        let is_shown = |&(name, bytes): &(&str, usize)| name != "textures" || bytes > 0;
+        let is_shown =
+            |&(name, bytes): &(&str, usize)| !["finishes", "textures"].contains(&name) || bytes > 0;
         for (name, bytes) in self.flash.tables().into_iter().filter(is_shown) {
             writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;
         }

@@ -6,8 +6,11 @@ mod blending;
 mod color;
 mod depth;
 mod direct;
+mod factor;
 mod fill;
 mod frame;
+mod keep_depth;
+mod modes;
 mod pixels;
 
 pub use bands::{BandAreas, Bands, StreamError};
@@ -16,8 +19,11 @@ pub use blending::{Blend, Blending, Replace};
 pub use color::StoredColor;
 pub use depth::{DepthBuffer, FrameDepth, StoredDepth};
 pub use direct::Direct;
+pub use factor::{Factor, MaterialOpacity};
 pub use fill::{Fill, PixelFill, WordFill};
 pub use frame::{Frame, FrameError, Packed, Rows, Strided};
+pub use keep_depth::KeepDepth;
+pub use modes::{Add, Multiply, Over, Screen};
 
 use crate::{
     attribute::DepthFormat,
