@@ -376,7 +376,6 @@ impl Model {
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
             finishes: &self.finishes,
-            ..Tables::EMPTY
         })
     }
 

@@ -9,6 +9,7 @@
 //! Colours are computed in the values that pictures store, without a gamma curve, as small displays
 //! expect.
 
+mod dithered;
 mod faded;
 mod flat;
 mod gouraud;
@@ -20,6 +21,7 @@ mod textured;
 mod textured_flat;
 mod textured_gouraud;
 
+pub use dithered::{Dithered, DitheredFace, DitheredPixel};
 pub use faded::{Faded, FadedPixel};
 pub use flat::{Flat, Unlit};
 pub use gouraud::Gouraud;
