@@ -129,7 +129,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
-//! | [`color`] | alpha, colours over one another, dithering; what each colour type supports |
+//! | [`color`] | alpha, colours put over one another, dithering, a colour of a byte |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |

@@ -7,8 +7,8 @@ use embedded_graphics_core::pixelcolor::{
 
 use super::{Alpha, Rgb332};
 
-/// A colour that can be put over another one: all of embedded-graphics but `BinaryColor`, [`Rgb332`]
-/// and [`Rgb565Be`](crate::output::Rgb565Be).
+/// A colour that can be put over another one: all of embedded-graphics but `BinaryColor`,
+/// [`Rgb332`] and [`Rgb565Be`](crate::output::Rgb565Be).
 ///
 /// Each channel is computed in the values that are stored, and rounded to the nearest once. With
 /// the stored value s, the new one n, both from 0 to max, and the alpha a from 0 to 1:

@@ -1,5 +1,4 @@
-//! Colours put over one another, channel by channel, in the values that are stored; colours of few
-//! bits, and ordered dithering.
+//! Colours by themselves: put over one another, dithered to few bits, and a format of one byte.
 //!
 //! # Colour types
 //!

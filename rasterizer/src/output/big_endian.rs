@@ -82,14 +82,6 @@ impl Mix for Rgb565Be {
 }
 
 /// As [`Rgb565`].
-impl Dither for Rgb565Be {
-    #[inline(always)]
-    fn dithered<const SIZE: usize>(color: impl FullColor, column: i32, row: i32) -> Self {
-        Rgb565::dithered::<SIZE>(color, column, row).into()
-    }
-}
-
-/// As [`Rgb565`].
 impl Composite for Rgb565Be {
     #[inline(always)]
     fn over(self, stored: Self, alpha: Alpha) -> Self {
@@ -109,6 +101,14 @@ impl Composite for Rgb565Be {
     #[inline(always)]
     fn screen(self, stored: Self, alpha: Alpha) -> Self {
         Rgb565::from(self).screen(stored.into(), alpha).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Dither for Rgb565Be {
+    #[inline(always)]
+    fn dithered<const SIZE: usize>(color: impl FullColor, column: i32, row: i32) -> Self {
+        Rgb565::dithered::<SIZE>(color, column, row).into()
     }
 }
 
