@@ -3,6 +3,7 @@
 
 use std::fs;
 
+mod display;
 mod filter;
 mod textured;
 
@@ -86,6 +87,7 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    display: None,
 };
 
 #[track_caller]

@@ -13,7 +13,7 @@ use rasterizer::{
     shade::{Level, Light},
 };
 
-use super::{Correction, DepthFormat, Filter, Shading};
+use super::{Correction, DepthFormat, Display, Filter, Shading};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -81,6 +81,8 @@ pub struct View {
     pub perspective: Correction,
     /// How a colour is taken from a texture.
     pub filter: Filter,
+    /// The display that shows the picture; `None` for one with all of its colours.
+    pub display: Option<Display>,
 }
 
 impl Default for View {
@@ -100,6 +102,7 @@ impl Default for View {
             shading: Shading::default(),
             perspective: Correction::default(),
             filter: Filter::default(),
+            display: None,
         }
     }
 }

@@ -5,7 +5,10 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use host_tools::{
-    check::{Correction, DepthFormat, Filter, Projection, Shading, Subpixel, View},
+    check::{
+        Colors, Correction, DepthFormat, Display, Filter, Matrix, Projection, Shading, Subpixel,
+        View,
+    },
     model::{Model, Options},
 };
 use serde::Serialize;
@@ -60,6 +63,12 @@ pub(super) struct ViewOptions {
         value_parser = choice(&Filter::NAMES)
     )]
     filter: Filter,
+    /// The colours of the display, which shows the nearest of them
+    #[arg(long, value_name = "FORMAT", value_parser = choice(&Colors::NAMES))]
+    colors: Option<Colors>,
+    /// Dither to them instead, by a matrix of this many rows
+    #[arg(long, value_name = "ROWS", requires = "colors", value_parser = choice(&Matrix::NAMES))]
+    dither: Option<Matrix>,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -170,6 +179,9 @@ impl ViewOptions {
             shading: self.shading.unwrap_or(otherwise),
             perspective: self.perspective,
             filter: self.filter,
+            display: self
+                .colors
+                .map(|colors| Display { colors, dither: self.dither.unwrap_or_default() }),
         }
     }
 
@@ -192,6 +204,10 @@ pub(super) struct Settings {
     shading: &'static str,
     perspective: &'static str,
     filter: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    colors: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dither: Option<u32>,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -220,6 +236,8 @@ impl Settings {
             shading: name(&Shading::NAMES, view.shading),
             perspective: name(&Correction::NAMES, view.perspective),
             filter: name(&Filter::NAMES, view.filter),
+            colors: view.display.map(|display| name(&Colors::NAMES, display.colors)),
+            dither: view.display.and_then(|display| display.dither.rows()),
             distance: view.distance,
             fov,
             height,
@@ -240,8 +258,12 @@ impl Settings {
         } else {
             String::new()
         };
+        let dither =
+            self.dither.map_or_else(String::new, |rows| format!(" dithered {rows}x{rows}"));
+        let colors =
+            self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -310,7 +332,7 @@ mod tests {
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
                     every-16 --filter trilinear --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
-                    --crease 10 --frames 5";
+                    --crease 10 --frames 5 --colors gray2 --dither 4";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
             size: [7, 9],
@@ -326,6 +348,7 @@ mod tests {
             shading: Shading::Flat,
             perspective: Correction::Every16,
             filter: Filter::Trilinear,
+            display: Some(Display { colors: Colors::Gray2, dither: Matrix::Four }),
         };
         assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
@@ -350,6 +373,8 @@ mod tests {
             ("--shading", &["phong"]),
             ("--perspective", &["every-5", "every", ""]),
             ("--filter", &["linear", "Nearest"]),
+            ("--colors", &["rgb", "", "1"]),
+            ("--dither", &["2", "", "bayer"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();
@@ -357,5 +382,6 @@ mod tests {
             }
         }
         assert!(parse(&["--fov=30", "--orthographic=2"]).is_err());
+        assert!(parse(&["--dither=8"]).is_err(), "colours to dither to are missing");
     }
 }
