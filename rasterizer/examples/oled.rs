@@ -20,7 +20,7 @@ use std::convert::Infallible;
 use ball::ball;
 use common::{Result, SCREEN, Screen};
 use embedded_graphics::{
-    mono_font::{MonoTextStyle, ascii::FONT_5X8},
+    mono_font::{MonoTextStyle, ascii::FONT_5X7},
     pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888},
     prelude::*,
     primitives::Rectangle,
@@ -36,7 +36,7 @@ use rocket::ROCKET;
 use static_cell::ConstStaticCell;
 
 static MOON: Mesh<'static> = ball(&[Material::new([235; 3], ball::TRIANGLES)]);
-const SUN: Light = Light::new(Vec3::lit("-4", "3", "2"), Level::lit("0.1"), Level::lit("0.9"));
+const SUN: Light = Light::new(Vec3::lit("-3", "3", "3"), Level::lit("0.12"), Level::lit("0.88"));
 
 const OLED: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
 /// 1,024 bytes.
@@ -50,9 +50,10 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
         const { Perspective::new(Turn::degrees(30), Distance::lit("0.1"), Distance::lit("100")) }?;
     let eye = const { Vec3::lit("0", "0", "4") };
     let camera = Camera::look_at(eye, Vec3::ZERO, Vec3::Y, lens, OLED)?;
-    let tilted = Rotation::about_z(-Turn::degrees(62)) * Rotation::about_y(Turn::degrees(60));
-    let near = Pose::rotated(tilted).at(const { Vec3::lit("-0.5", "-0.1", "0.6") });
-    let far = const { Vec3::lit("1.1", "-0.5", "-1") };
+    let tilted = Rotation::about_z(-Turn::degrees(66)) * Rotation::about_y(Turn::degrees(50));
+    let near = const { Vec3::lit("-0.55", "-0.12", "0.9") };
+    let near = Pose::rotated(tilted).at(near).scaled(const { Distance::lit("1.35") });
+    let far = const { Vec3::lit("1.35", "-0.6", "-1") };
     let far = Pose::IDENTITY.at(far).scaled(const { Distance::lit("1.35") });
     let (pixels, depth) = (PIXELS.take(), DEPTH.take());
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];
@@ -86,7 +87,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
 
 /// Text is drawn by embedded-graphics, as on any other target.
 fn label<T: DrawTarget<Color = BinaryColor>>(target: &mut T) -> Result<(), T::Error> {
-    let style = MonoTextStyle::new(&FONT_5X8, BinaryColor::On);
+    let style = MonoTextStyle::new(&FONT_5X7, BinaryColor::On);
     Text::new("384,400 km", Point::new(2, 8), style).draw(target)?;
     Ok(())
 }
