@@ -18,6 +18,9 @@ pub struct Faces {
     pub corners: Vec<u32>,
     /// The texture coordinates of the corners, v running down; none if the file has none.
     pub texture_coordinates: Vec<[f64; 2]>,
+    /// The colours of the corners from 0 to 255: those of vertices, or of the materials of vertices
+    /// without; none if no vertex has one.
+    pub vertex_colors: Vec<[f64; 3]>,
     /// The faces in the order of the file.
     pub faces: Vec<Face>,
     /// Which of `positions` each vertex of the tables has.
@@ -40,7 +43,8 @@ pub struct Face {
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
     /// are `shape`. `used` has the materials of the tables, `lines` the line of each face,
-    /// `vertices` the position of each vertex of the tables. Texture coordinates are left out.
+    /// `vertices` the position of each vertex of the tables. Texture coordinates and colours of
+    /// vertices are left out.
     pub(super) fn new(
         polygons: &Polygons,
         used: &[usize],
@@ -62,8 +66,8 @@ impl Faces {
         let positions = (polygons.positions.iter().zip(shape))
             .map(|(&original, &shape)| fitted.place(original, shape))
             .collect();
-        let (texture_coordinates, vertices) = (Vec::new(), vertices.to_vec());
-        Self { positions, corners, texture_coordinates, faces, vertices }
+        let vertices = vertices.to_vec();
+        Self { positions, corners, faces, vertices, ..Self::default() }
     }
 
     /// The positions of a face's corners.
@@ -78,4 +82,14 @@ impl Faces {
 pub(super) fn texture_coordinates(corners: &[Corner], textured: usize) -> Vec<[f64; 2]> {
     let turned = |corner: &Corner| [corner.texture[0], 1.0 - corner.texture[1]];
     if textured == 0 { Vec::new() } else { corners.iter().map(turned).collect() }
+}
+
+/// The colours of corners, which name them by `colors`; none if no vertex has one.
+pub(super) fn vertex_colors(polygons: &Polygons, colors: &[u32]) -> Vec<[f64; 3]> {
+    if polygons.vertex_colors.is_empty() {
+        return Vec::new();
+    }
+    let materials =
+        (polygons.faces.iter()).flat_map(|face| std::iter::repeat_n(face.material, face.arity));
+    colors.iter().zip(materials).map(|(&color, material)| polygons.color(color, material)).collect()
 }

@@ -30,6 +30,8 @@ pub enum MeshError {
     },
     /// The `fraction_bits` of `texture_coordinates` are below 10 or over 16.
     TextureFractionBits,
+    /// `vertex_colors` is neither empty nor as long as `positions`.
+    VertexColorCount,
     /// The materials' triangle counts do not add up to the number of triangles.
     MaterialCoverage,
 }
@@ -56,6 +58,7 @@ impl MeshError {
             Self::TextureFractionBits => {
                 "the `fraction_bits` of `texture_coordinates` must be 10 to 16"
             }
+            Self::VertexColorCount => "`vertex_colors` must be empty or as long as `positions`",
             Self::MaterialCoverage => {
                 "the materials' `triangle_count`s must add up to the number of triangles"
             }
@@ -102,6 +105,9 @@ pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
     }
     if let Err(error) = texture_coordinates(&tables.texture_coordinates) {
         return Err(error);
+    }
+    if !is_empty_or(tables.vertex_colors.len(), vertices) {
+        return Err(MeshError::VertexColorCount);
     }
     materials(tables)
 }
