@@ -129,6 +129,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
+//! | [`color`] | alpha, and colours put over one another |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
@@ -235,6 +236,7 @@ extern crate std;
 
 pub mod attribute;
 pub mod camera;
+pub mod color;
 pub mod geometry;
 pub mod mesh;
 pub mod numbers;

@@ -7,7 +7,10 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 use super::{StoredColor, WordFill};
-use crate::texture::Mix;
+use crate::{
+    color::{Alpha, Composite},
+    texture::Mix,
+};
 
 /// RGB565 with its more significant byte first, the order in which SPI displays take it: a DMA
 /// channel can send a band of these as it lies in memory.
@@ -75,6 +78,29 @@ impl Mix for Rgb565Be {
     #[inline(always)]
     fn lit(self, level: u32) -> Self {
         Rgb565::from(self).lit(level).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Composite for Rgb565Be {
+    #[inline(always)]
+    fn over(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).over(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn add(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).add(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn multiply(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).multiply(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn screen(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).screen(stored.into(), alpha).into()
     }
 }
 
