@@ -129,7 +129,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
-//! | [`color`] | alpha, and colours put over one another |
+//! | [`color`] | alpha, colours put over one another, colours of vertices |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |

@@ -9,6 +9,7 @@
 //! Colours are computed in the values that pictures store, without a gamma curve, as small displays
 //! expect.
 
+mod colored;
 mod flat;
 mod gouraud;
 mod light;
@@ -19,6 +20,7 @@ mod textured;
 mod textured_flat;
 mod textured_gouraud;
 
+pub use colored::{Colored, ColoredGouraud};
 pub use flat::{Flat, Unlit};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};
