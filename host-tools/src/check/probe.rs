@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     output::{PixelFill, StoredColor},
     raster::{Fragment, Gradients},
@@ -65,8 +65,8 @@ impl<Sh: Shader<Color: ShownColor>> Shader for Probe<Sh> {
 
     const TABLES: RequiredTables = Sh::TABLES;
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self { shader: self.shader.for_object(pose), ..*self }
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { shader: self.shader.for_object(view), ..*self }
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Sh::Surface {

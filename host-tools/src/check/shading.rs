@@ -5,8 +5,11 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
-    attribute::{Affine, Components, Correction as _},
-    shade::{Flat, Gouraud, Shader as _, Textured, TexturedFlat, TexturedGouraud, Unlit},
+    attribute::{Affine, Components, Correction as Mode},
+    shade::{
+        Colored, ColoredGouraud, Flat, Gouraud, Light, Textured, TexturedFlat, TexturedGouraud,
+        Unlit,
+    },
     texture::TextureVarying,
 };
 
@@ -35,6 +38,10 @@ pub enum Shading {
     Gouraud,
     /// The material's colour.
     Unlit,
+    /// The colours of the vertices, without light.
+    Colored,
+    /// The colours of the vertices, lit there and interpolated.
+    ColoredGouraud,
     /// The material's texture, without light.
     Textured,
     /// The texture, lit by the triangle's normal.
@@ -45,19 +52,34 @@ pub enum Shading {
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 6] = [
+    pub const NAMES: [(&'static str, Self); 8] = [
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
         ("unlit", Self::Unlit),
+        ("colored", Self::Colored),
+        ("colored-gouraud", Self::ColoredGouraud),
         ("textured", Self::Textured),
         ("textured-flat", Self::TexturedFlat),
         ("textured-gouraud", Self::TexturedGouraud),
     ];
 
-    /// What a model is drawn with unless another one is chosen: its textures, if it has any.
+    /// What a model is drawn with unless another one is chosen: its textures, or else the colours
+    /// of its vertices, if it has any.
     #[must_use]
     pub const fn of(model: &Model) -> Self {
-        if model.textures.is_some() { Self::TexturedGouraud } else { Self::Gouraud }
+        if model.textures.is_some() {
+            Self::TexturedGouraud
+        } else if model.vertex_colors.is_empty() {
+            Self::Gouraud
+        } else {
+            Self::ColoredGouraud
+        }
+    }
+
+    /// Whether it shows the colours of vertices.
+    #[must_use]
+    pub const fn is_colored(self) -> bool {
+        matches!(self, Self::Colored | Self::ColoredGouraud)
     }
 
     /// Whether it reads texture coordinates.
@@ -91,7 +113,7 @@ pub(super) fn draw<'a>(
     match view.shading {
         Shading::Flat => {
             let shader = Flat::<Rgb888>::new(core_light);
-            let turned = shader.for_object(&view.pose());
+            let turned = core_light.for_object(&view.pose());
             let normals = view.pose_points(&surface.triangle_normals(model));
             fixed::draw(
                 (model, surface),
@@ -127,6 +149,30 @@ pub(super) fn draw<'a>(
                 move |sample: Sample<0>| Some(file_color(sample.triangle)),
             )
         }
+        Shading::Colored => fixed::draw(
+            (model, surface),
+            view,
+            &Colored::<Rgb888>::new(),
+            |_, corner| channels(&corner),
+            |sample: Sample<3>| Some(sample.varyings),
+            |corner: Corner| file_channels(model, corner.vertex),
+            |sample: Sample<3>| Some(sample.varyings),
+        ),
+        Shading::ColoredGouraud => {
+            let levels = corner_levels(model, surface, view);
+            fixed::draw(
+                (model, surface),
+                view,
+                &ColoredGouraud::<Rgb888>::new(core_light),
+                |_, corner| channels(&corner),
+                |sample: Sample<3>| Some(sample.varyings),
+                move |corner: Corner| {
+                    let level = levels[corner.vertex][0];
+                    file_channels(model, corner.vertex).map(|channel| channel * level)
+                },
+                |sample: Sample<3>| Some(sample.varyings),
+            )
+        }
         Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
             draw_textured(model, surface, skins, view)
         }
@@ -156,7 +202,7 @@ fn draw_textured<'a>(
                 .filtered(AnyFilter)
                 .corrected(AnyMode)
                 .with_wide_coordinates();
-            let turned = Flat::<Rgb888>::new(core_light).for_object(&view.pose());
+            let turned = core_light.for_object(&view.pose());
             let normals = view.pose_points(&surface.triangle_normals(model));
             textured::draw(
                 all,
@@ -240,6 +286,9 @@ pub(super) fn colors(
         .map(|(face, levels)| {
             if view.shading.is_textured() {
                 skins.colors(face.material, levels)
+            } else if view.shading.is_colored() {
+                let corners = face.corners.clone().map(|corner| file_channels(model, corner));
+                Some(FaceColors { range: range(corners), levels })
             } else {
                 Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
             }
@@ -259,8 +308,10 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
         [low - NORMAL, high + NORMAL]
     };
     match view.shading {
-        Shading::Unlit | Shading::Textured => vec![[1.0, 1.0]; faces.faces.len()],
-        Shading::Gouraud | Shading::TexturedGouraud => {
+        Shading::Unlit | Shading::Colored | Shading::Textured => {
+            vec![[1.0, 1.0]; faces.faces.len()]
+        }
+        Shading::Gouraud | Shading::ColoredGouraud | Shading::TexturedGouraud => {
             let levels = corner_levels(model, surface, view);
             (faces.faces.iter())
                 .map(|face| within(&mut levels[face.corners.clone()].iter().flatten().copied()))
@@ -300,10 +351,9 @@ fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>>
     levels
 }
 
-/// The level of a face by the definition, from its normal in the table and from a shader in object
+/// The level of a face by the definition, from its normal in the table and from a light in object
 /// space.
-fn quantised_level(shader: &Flat<Rgb888>, normal: [i8; 3]) -> f64 {
-    let light = shader.light();
+fn quantised_level(light: &Light, normal: [i8; 3]) -> f64 {
     let product =
         |i: usize| f64::from(normal[i]) / 127.0 * f64::from(light.toward()[i]) / 2f64.powi(30);
     let dot: f64 = (0..3).map(product).sum();
@@ -315,6 +365,27 @@ fn quantised_level(shader: &Flat<Rgb888>, normal: [i8; 3]) -> f64 {
 fn ramp_level(place: u16) -> f64 {
     let levels = LEVELS as f64;
     (f64::from(place) / 65536.0 * levels - 0.5) / (levels - 1.0)
+}
+
+/// The colour that the varyings of a corner stand for, from 0 to 255: 0 and 1 lie in the middle of
+/// the first and the last of 256 steps.
+fn channels(corner: &<Affine as Mode>::OnScreen<[u16; 3]>) -> [f64; 3] {
+    let (channels, _) = Affine::parts(corner);
+    channels.map(|channel| f64::from(channel) / 256.0 - 0.5)
+}
+
+/// The colour of a corner of the file, from 0 to 255.
+fn file_channels(model: &Model, corner: usize) -> [f64; 3] {
+    model.exact.faces.vertex_colors.get(corner).copied().unwrap_or_default()
+}
+
+/// The least and the largest of each channel.
+fn range(colors: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    colors.fold([[f64::INFINITY; 3], [0.0; 3]], |[least, most], color| {
+        let each =
+            |of: fn(f64, f64) -> f64, with: [f64; 3]| [0, 1, 2].map(|i| of(with[i], color[i]));
+        [each(f64::min, least), each(f64::max, most)]
+    })
 }
 
 /// The colour of each triangle's material.

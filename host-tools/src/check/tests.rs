@@ -3,6 +3,7 @@
 
 use std::fs;
 
+mod colored;
 mod filter;
 mod textured;
 

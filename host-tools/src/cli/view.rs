@@ -40,8 +40,8 @@ pub(super) struct ViewOptions {
         value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
-    /// How triangles are coloured [default: textured-gouraud if the model has textures, otherwise
-    /// gouraud]
+    /// How triangles are coloured [default: textured-gouraud if the model has textures,
+    /// colored-gouraud if its vertices have colours, otherwise gouraud]
     #[arg(long, value_parser = choice(&Shading::NAMES))]
     shading: Option<Shading>,
     /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often

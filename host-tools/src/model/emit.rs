@@ -7,7 +7,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use rasterizer::mesh::Material;
+use rasterizer::mesh::{Finish, Material};
 
 use super::{
     Indices, Model, TextureTable, emit_textures,
@@ -82,6 +82,8 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "    use ::rasterizer::{{")?;
     let is_textured = !model.texture_coordinates.as_column().is_empty();
     let columns: String = [
+        (!model.finishes.is_empty(), "Finish, "),
+        (true, "Material, Mesh, "),
         (!(model.vertex_normals.is_empty() && model.face_normals.is_empty()), "Normals, "),
         (true, "Positions, Tables, "),
         (is_textured, "TextureCoordinates, "),
@@ -89,7 +91,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     .into_iter()
     .filter_map(|(used, names)| used.then_some(names))
     .collect();
-    writeln!(out, "        mesh::{{Material, Mesh, {columns}Triangles}},")?;
+    writeln!(out, "        mesh::{{{columns}Triangles}},")?;
     writeln!(out, "        numbers::{{Scale, Vec3}},")?;
     writeln!(out, "    }};")?;
     table(out, "POSITIONS", "[i16; 3]", model.positions.iter().map(row))?;
@@ -117,6 +119,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
         }
     };
     table(out, "MATERIALS", "Material", model.materials.iter().map(material))?;
+    table(out, "FINISHES", "Finish", model.finishes.iter().map(finish))?;
     let (mantissa, exponent) = (model.scale.mantissa(), model.scale.exponent());
     writeln!(out, "    Mesh::new_const(Tables {{")?;
     writeln!(out, "        positions: Positions::I16(&POSITIONS),")?;
@@ -142,6 +145,9 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     }
     writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
     writeln!(out, "        materials: &MATERIALS,")?;
+    if !model.finishes.is_empty() {
+        writeln!(out, "        finishes: &FINISHES,")?;
+    }
     writeln!(out, "        ..Tables::EMPTY")?;
     writeln!(out, "    }})")?;
     writeln!(out, "}};")
@@ -203,6 +209,23 @@ fn material(material: &Material) -> String {
         row(&material.color),
         grouped(material.triangle_count as usize, '_')
     )
+}
+
+/// The calls that make it of a matte one.
+fn finish(finish: &Finish) -> String {
+    let mut text = "Finish::MATTE".to_owned();
+    let matte = Finish::MATTE;
+    // Writing to a string cannot fail.
+    if finish.specular != matte.specular {
+        let _ = write!(text, ".with_specular({}, {})", row(&finish.specular), finish.exponent);
+    }
+    if finish.emission != matte.emission {
+        let _ = write!(text, ".with_emission({})", row(&finish.emission));
+    }
+    if finish.opacity != matte.opacity {
+        let _ = write!(text, ".with_opacity({})", finish.opacity);
+    }
+    text
 }
 
 /// A file name that can neither end a comment nor its code span.

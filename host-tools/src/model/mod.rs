@@ -6,10 +6,10 @@
 //! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
 //! values before rounding.
 //!
-//! The converter reads positions, normals, texture coordinates, faces, diffuse colours and textures
-//! of an OBJ file, the colours of its vertices (`v x y z r g b`), and its smoothing groups where it
-//! has no normals. What else a file shows and the tables cannot hold, such as lines, curves and
-//! transparent materials, it leaves out with a warning for each kind.
+//! The converter reads positions, normals, texture coordinates, faces, diffuse colours, textures
+//! and finishes of an OBJ file, the colours of its vertices (`v x y z r g b`), and its smoothing
+//! groups where it has no normals. What else a file shows and the tables cannot hold, such as
+//! lines, curves and textures of opacity, it leaves out with a warning for each kind.
 
 mod cap;
 mod ears;
@@ -53,7 +53,7 @@ use std::{
 };
 
 use rasterizer::{
-    mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
+    mesh::{Finish, Material, Mesh, Normals, Positions, Tables, Triangles},
     numbers::{Scale, Vec3},
 };
 
@@ -103,6 +103,8 @@ pub struct Model {
     pub triangles: Indices,
     /// The colours and how many triangles each covers.
     pub materials: Vec<Material>,
+    /// What the materials show besides, or none if all are matte and opaque.
+    pub finishes: Vec<Finish>,
     /// The textures of the materials, if any of them has one.
     pub textures: Option<Textures>,
     /// The tables before rounding.
@@ -269,6 +271,9 @@ impl Model {
         }
         let materials: Vec<Material> =
             used.iter().map(|&(id, count)| Material::new(polygons.colors[id], count)).collect();
+        let finishes: Vec<Finish> = used.iter().map(|&(id, _)| libraries.finish(id)).collect();
+        let is_matte = finishes.iter().all(|&finish| finish == Finish::MATTE);
+        let finishes = if is_matte { Vec::new() } else { finishes };
         if !options.smoothing_groups {
             corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
         }
@@ -347,6 +352,7 @@ impl Model {
             texture_coordinates,
             vertex_colors: tables.welded.colors,
             materials,
+            finishes,
             textures,
             exact,
             report: Report {
@@ -385,6 +391,8 @@ impl Model {
             vertex_colors: &self.vertex_colors,
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
+            finishes: &self.finishes,
+            ..Tables::EMPTY
         })
     }
 
@@ -422,6 +430,7 @@ impl Model {
                 Indices::U16(triangles) => size_of_val(&triangles[..]),
             },
             materials: size_of_val(&self.materials[..]),
+            finishes: size_of_val(&self.finishes[..]),
             textures: self.textures.as_ref().map_or(0, Textures::bytes),
         };
     }

@@ -57,6 +57,8 @@ pub struct Flash {
     pub triangles: usize,
     /// One `Material` each.
     pub materials: usize,
+    /// One `Finish` each.
+    pub finishes: usize,
     /// Texels, palettes and planes of alpha.
     pub textures: usize,
 }
@@ -64,7 +66,7 @@ pub struct Flash {
 impl Flash {
     /// The tables by name.
     #[must_use]
-    pub const fn tables(&self) -> [(&'static str, usize); 8] {
+    pub const fn tables(&self) -> [(&'static str, usize); 9] {
         [
             ("positions", self.positions),
             ("vertex_normals", self.vertex_normals),
@@ -73,6 +75,7 @@ impl Flash {
             ("vertex_colors", self.vertex_colors),
             ("triangles", self.triangles),
             ("materials", self.materials),
+            ("finishes", self.finishes),
             ("textures", self.textures),
         ]
     }
@@ -140,9 +143,8 @@ impl fmt::Display for Report {
             self.cache_misses, self.cache_misses_before
         )?;
         writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
-        let is_shown = |&(name, bytes): &(&str, usize)| {
-            !matches!(name, "textures" | "vertex_colors") || bytes > 0
-        };
+        const RARE: [&str; 3] = ["vertex_colors", "finishes", "textures"];
+        let is_shown = |&(name, bytes): &(&str, usize)| !RARE.contains(&name) || bytes > 0;
         for (name, bytes) in self.flash.tables().into_iter().filter(is_shown) {
             writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;
         }

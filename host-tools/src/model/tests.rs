@@ -393,6 +393,30 @@ pub static TINY_PART: ::rasterizer::mesh::Mesh<'static> = {
     );
 }
 
+#[test]
+fn a_model_has_finishes_only_if_one_of_them_is_not_matte() {
+    let obj = b"mtllib m.mtl\nv 0 0 0\nv 4 0 0\nv 0 3 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 2\n";
+    let model =
+        |mtl: &[u8]| load_files(&[("m.obj", obj), ("m.mtl", mtl)], &Options::default()).unwrap();
+    let matte = model(b"newmtl a\nKd 1\nd 1\nNs 10\nnewmtl b\nKd 1\nKs 0\nnewmtl c\nKs 1\n");
+    assert!(matte.finishes.is_empty() && matte.mesh().tables().finishes.is_empty());
+    assert!(!emit::source(&matte).to_lowercase().contains("finish"));
+    let shiny = model(b"newmtl a\nKd 1\nnewmtl b\nKd 1\nKs 1 0.2 0\nNs 40\nKe 0.4\nd 0.6\n");
+    let finish = Finish::MATTE.with_specular([255, 51, 0], 40).with_emission([102; 3]);
+    assert_eq!(shiny.mesh().tables().finishes, [Finish::MATTE, finish.with_opacity(153)]);
+    let source = emit::source(&shiny);
+    for line in [
+        "//   finishes                    20\n",
+        "        mesh::{Finish, Material, Mesh, Normals, Positions, Tables, Triangles},\n",
+        "    static FINISHES: [Finish; 2] = [\n        Finish::MATTE,\n        \
+         Finish::MATTE.with_specular([255, 51, 0], 40).with_emission([102, 102, 102])\
+         .with_opacity(153),\n    ];\n",
+        "        finishes: &FINISHES,\n",
+    ] {
+        assert!(source.contains(line), "{line}{source}");
+    }
+}
+
 /// The numbers of the table `name` in an emitted file.
 fn parsed(source: &str, name: &str) -> Vec<i64> {
     let Some((_, table)) = source.split_once(&format!("static {name}: ")) else {

@@ -1,6 +1,6 @@
 //! The checks that make a mesh safe to draw.
 
-use super::{Tables, TextureCoordinates, Triangles};
+use super::{Finish, Tables, TextureCoordinates, Triangles};
 
 /// What is wrong with a model's tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -32,6 +32,13 @@ pub enum MeshError {
     TextureFractionBits,
     /// `vertex_colors` is neither empty nor as long as `positions`.
     VertexColorCount,
+    /// `finishes` is neither empty nor as long as `materials`.
+    FinishCount,
+    /// The exponent of a finish is 0 or over 1,000.
+    FinishExponent {
+        /// The material's place in the table, from 0.
+        material: usize,
+    },
     /// The materials' triangle counts do not add up to the number of triangles.
     MaterialCoverage,
 }
@@ -59,6 +66,8 @@ impl MeshError {
                 "the `fraction_bits` of `texture_coordinates` must be 10 to 16"
             }
             Self::VertexColorCount => "`vertex_colors` must be empty or as long as `positions`",
+            Self::FinishCount => "`finishes` must be empty or as long as `materials`",
+            Self::FinishExponent { .. } => "the `exponent` of a finish must be 1 to 1,000",
             Self::MaterialCoverage => {
                 "the materials' `triangle_count`s must add up to the number of triangles"
             }
@@ -71,6 +80,7 @@ impl core::fmt::Display for MeshError {
         f.write_str(self.message())?;
         match self {
             Self::IndexOutOfRange { triangle } => write!(f, " (triangle {triangle})"),
+            Self::FinishExponent { material } => write!(f, " (material {material})"),
             Self::TextureRange { vertex } => write!(f, " (vertex {vertex})"),
             _ => Ok(()),
         }
@@ -108,6 +118,9 @@ pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
     }
     if !is_empty_or(tables.vertex_colors.len(), vertices) {
         return Err(MeshError::VertexColorCount);
+    }
+    if let Err(error) = finishes(tables) {
+        return Err(error);
     }
     materials(tables)
 }
@@ -158,6 +171,22 @@ const fn texture_coordinates(coordinates: &TextureCoordinates<'_>) -> Result<(),
                 return Err(MeshError::TextureFractionBits);
             }
         }
+    }
+    Ok(())
+}
+
+const fn finishes(tables: &Tables<'_>) -> Result<(), MeshError> {
+    let finishes = tables.finishes;
+    if !is_empty_or(finishes.len(), tables.materials.len()) {
+        return Err(MeshError::FinishCount);
+    }
+    let mut material = 0;
+    while material < finishes.len() {
+        let exponent = finishes[material].exponent;
+        if exponent == 0 || exponent > Finish::MOST_EXPONENT {
+            return Err(MeshError::FinishExponent { material });
+        }
+        material += 1;
     }
     Ok(())
 }

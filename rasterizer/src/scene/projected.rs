@@ -94,7 +94,7 @@ where
         let rows = Rows::of::<V::Subpixel>(&window);
         let mut lookup = seen.vertices.lookup();
         let reach = self.order.reach(&window, &seen.viewport);
-        self.order.for_each_run(seen.tables.materials, |material, run| {
+        self.order.for_each_run(seen.tables, |material, run| {
             // Made when the first triangle needs it: in a band most materials are not seen.
             let mut surface = None;
             let triangles = (&self.order, &reach, run);

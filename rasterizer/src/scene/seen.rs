@@ -9,8 +9,8 @@ use crate::{
     attribute::DepthFormat,
     camera::Camera,
     geometry::{
-        ClipVertex, Clipping, Culling, MAX_CORNERS, PoseError, Projection, ScreenVertex, Transform,
-        clip,
+        ClipVertex, Clipping, Culling, MAX_CORNERS, ObjectView, PoseError, Projection,
+        ScreenVertex, Transform, clip,
     },
     mesh::{MeshMaterial, MeshVertex, Tables},
     numbers::{Subpixel, codegen},
@@ -45,9 +45,10 @@ impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Seen<'a,
     #[inline(always)]
     pub(super) fn new(object: &Object<'a, Sh, M>, camera: &Camera<P>, vertices: V) -> Self {
         let tables = object.mesh.tables();
+        let view = ObjectView::new(object.mesh, &object.pose, camera);
         let mut seen = Self {
             tables,
-            shader: object.shader.for_object(&object.pose),
+            shader: object.shader.for_object(&view),
             transform: Transform::new::<V::Subpixel>(camera, &object.pose, object.mesh),
             vertices,
             is_outside_view: false,

@@ -6,7 +6,7 @@ use super::{Light, Sample, Shader, lit::Lit};
 use crate::{
     attribute::{Affine, Correction, PerspectiveCorrect},
     color::{Channels, to_q16},
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
     raster::Fragment,
 };
@@ -112,8 +112,8 @@ impl<C: Channels, M: Correction> Shader for ColoredGouraud<C, M> {
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..COLORS };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self { lit: self.lit.for_object(pose), ..*self }
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { lit: self.lit.for_object(view), ..*self }
     }
 
     fn surface(&self, _: &MeshMaterial<'_>) {}

@@ -7,7 +7,7 @@ use fixed::types::U16F16;
 
 use super::{Face, Light, Shader, lit::Lit};
 use crate::{
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
 };
@@ -79,8 +79,8 @@ impl<C: Copy + From<Rgb888>> Shader for Flat<C> {
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..RequiredTables::NONE };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self(self.0.for_object(pose))
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self(self.0.for_object(view))
     }
 
     #[inline(always)]

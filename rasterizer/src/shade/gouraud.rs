@@ -5,7 +5,7 @@ use fixed::types::U16F16;
 
 use super::{Light, Ramp, Shader, lit::Lit};
 use crate::{
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
     raster::Fragment,
 };
@@ -45,8 +45,8 @@ impl<C: Copy + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LEVELS> 
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self(self.0.for_object(pose))
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self(self.0.for_object(view))
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {

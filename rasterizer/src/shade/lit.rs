@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::Light;
-use crate::geometry::Pose;
+use crate::geometry::ObjectView;
 
 /// A light on surfaces of colour `C`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -17,7 +17,7 @@ impl<C> Lit<C> {
         Self { light, color: PhantomData }
     }
 
-    pub(super) fn for_object(&self, pose: &Pose) -> Self {
-        Self::by(self.light.for_object(pose))
+    pub(super) fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self::by(self.light.for_object(view.pose()))
     }
 }

@@ -33,7 +33,7 @@ pub use textured_gouraud::TexturedGouraud;
 pub use crate::texture::Outcome;
 use crate::{
     attribute::{Interpolate, Varyings},
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
 };
@@ -90,10 +90,10 @@ pub trait Shader: Clone {
     /// The mesh tables that the shader reads. Drawing a mesh without one of them is an error.
     const TABLES: RequiredTables = RequiredTables::NONE;
 
-    /// Returns the shader for an object in this pose, with its directions in object space. Called
-    /// once per projected object.
+    /// Returns the shader for an object as a camera sees it, with its directions in object space.
+    /// Called once per projected object.
     #[must_use]
-    fn for_object(&self, _pose: &Pose) -> Self {
+    fn for_object(&self, _view: &ObjectView<'_>) -> Self {
         self.clone()
     }
 

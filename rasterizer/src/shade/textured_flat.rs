@@ -12,7 +12,7 @@ use super::{
 };
 use crate::{
     attribute::{Adaptive, Correction},
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
     texture::{Filter, LitTexels, Nearest, TexelMap},
@@ -90,8 +90,8 @@ where
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..C::TABLES };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self { light: self.light.for_object(pose), ..*self }
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { light: self.light.for_object(view.pose()), ..*self }
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {

@@ -10,7 +10,7 @@ use super::{
 };
 use crate::{
     attribute::{Adaptive, Affine, Correction, PerspectiveCorrect},
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
     texture::{Filter, LitTexels, Nearest, Texel as _, TexelMap},
@@ -97,8 +97,8 @@ where
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..C::TABLES };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self { light: self.light.for_object(pose), ..*self }
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { light: self.light.for_object(view.pose()), ..*self }
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {
