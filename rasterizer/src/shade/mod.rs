@@ -11,6 +11,7 @@
 
 mod colored;
 mod flat;
+mod fog;
 mod gouraud;
 mod light;
 mod lit;
@@ -22,6 +23,7 @@ mod textured_gouraud;
 
 pub use colored::{Colored, ColoredGouraud};
 pub use flat::{Flat, Unlit};
+pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged, FoggedFace};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};
 pub use ramp::Ramp;
