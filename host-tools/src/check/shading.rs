@@ -21,10 +21,10 @@ use super::{
     skins::Skins,
     surface::Surface,
     textured::{self, PlacedCorner},
-    view::{View, ViewError},
+    view::{Projection, View, ViewError},
 };
 use crate::{
-    model::Model,
+    model::{Face, Model},
     reference::{Corner, Sample},
 };
 
@@ -281,19 +281,41 @@ pub(super) fn colors(
 ) -> Vec<Option<FaceColors>> {
     let levels = levels(model, surface, view);
     let faces = model.exact.faces.faces.iter();
-    faces
-        .zip(levels)
-        .map(|(face, levels)| {
-            if view.shading.is_textured() {
-                skins.colors(face.material, levels)
-            } else if view.shading.is_colored() {
-                let corners = face.corners.clone().map(|corner| file_channels(model, corner));
-                Some(FaceColors { range: range(corners), levels })
-            } else {
-                Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
-            }
-        })
+    let bare = faces.zip(levels).map(|(face, levels)| {
+        if view.shading.is_textured() {
+            skins.colors(face.material, levels)
+        } else if view.shading.is_colored() {
+            let corners = face.corners.clone().map(|corner| file_channels(model, corner));
+            Some(FaceColors { range: range(corners), levels })
+        } else {
+            Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
+        }
+    });
+    let Some(fog) = view.fog else { return bare.collect() };
+    bare.zip(distances(model, view))
+        .map(|(colors, distances)| Some(fog.colors(colors?, distances)))
         .collect()
+}
+
+/// The distances between which each face lies in fog, with a quantum of the tables on both sides.
+fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
+    let quantum = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
+    let (camera, faces) = (view.reference_camera(), &model.exact.faces);
+    let [near, far] = [view.near, view.far];
+    let posed = view.pose_points(&faces.positions).into_iter();
+    let all: Vec<f64> = posed.map(|p| -camera.to_view(p)[2]).collect();
+    let is_parallel = matches!(view.projection, Projection::Orthographic { .. });
+    let of_face = |face: &Face| {
+        let corners = faces.corners[face.corners.clone()].iter().map(|&p| all[p as usize]);
+        let least = corners.clone().fold(f64::INFINITY, f64::min);
+        let most = corners.fold(f64::NEG_INFINITY, f64::max);
+        if is_parallel {
+            [near; 2]
+        } else {
+            [(least - quantum).clamp(near, far), (most + quantum).clamp(near, far)]
+        }
+    };
+    faces.faces.iter().map(of_face).collect()
 }
 
 /// The levels of light that each face may have.

@@ -5,6 +5,7 @@ use std::fs;
 
 mod colored;
 mod filter;
+mod fog;
 mod textured;
 
 use super::*;
@@ -87,6 +88,7 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    fog: None,
 };
 
 #[track_caller]

@@ -23,6 +23,8 @@ mod textured_gouraud;
 
 pub use colored::{Colored, ColoredGouraud};
 pub use flat::{Flat, Unlit};
+#[doc(hidden)]
+pub use fog::SeenFog;
 pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged, FoggedFace};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};

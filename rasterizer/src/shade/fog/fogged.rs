@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{AtPixels, AtVertices, Fog, FogMode, mode::SeenFog};
+use super::{AtPixels, Fog, FogMode, mode::SeenFog};
 use crate::{
     camera::Distance,
     color::{Alpha, Composite},
@@ -24,7 +24,7 @@ use crate::{
 /// ```
 /// use embedded_graphics_core::pixelcolor::{Rgb565, WebColors as _};
 /// # use rasterizer::{mesh::Mesh, prelude::*};
-/// use rasterizer::{camera::Distance, shade::{Fog, Fogged}};
+/// use rasterizer::{camera::Distance, shade::{AtVertices, Fog, Fogged}};
 ///
 /// static FOG: Fog = Fog::linear(Distance::lit("2"), Distance::lit("10")).unwrap();
 ///
@@ -32,7 +32,7 @@ use crate::{
 /// let shader = Fogged::new(Gouraud::new(light), &FOG, Rgb565::CSS_LIGHT_STEEL_BLUE);
 /// let tower = Object::new(mesh, shader);
 /// // With small triangles:
-/// let trees = Object::new(mesh, shader.at_vertices());
+/// let trees = Object::new(mesh, shader.computed(AtVertices));
 /// # let _ = (tower, trees);
 /// # }
 /// ```
@@ -56,9 +56,9 @@ impl<'f, Sh: Shader> Fogged<'f, Sh> {
 }
 
 impl<'f, Sh: Shader, B> Fogged<'f, Sh, B> {
-    /// Computed at the vertices, and interpolated.
+    /// Computed elsewhere, such as [`AtVertices`](super::AtVertices).
     #[must_use]
-    pub fn at_vertices(self) -> Fogged<'f, Sh, AtVertices> {
+    pub fn computed<M: FogMode>(self, _: M) -> Fogged<'f, Sh, M> {
         let Self { shader, fog, color, seen, .. } = self;
         Fogged { shader, fog, color, seen, mode: PhantomData }
     }

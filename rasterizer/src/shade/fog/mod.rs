@@ -6,4 +6,6 @@ mod mode;
 
 pub use fogged::{Fogged, FoggedFace};
 pub use law::{Density, Fog};
+#[doc(hidden)]
+pub use mode::SeenFog;
 pub use mode::{AtPixels, AtVertices, FogMode};

@@ -11,7 +11,7 @@ use crate::{
 };
 
 /// Where fog is computed: [`AtPixels`] or [`AtVertices`].
-pub trait FogMode: Copy + Debug + private::Sealed {
+pub trait FogMode: Copy + Debug {
     /// What a vertex carries for it.
     #[doc(hidden)]
     type Varying<'f>: Varyings<OnScreen = Self::OnScreen>;
@@ -47,12 +47,6 @@ pub struct AtPixels;
 /// triangle that runs from near to far has it in wrong places: cut such meshes into smaller ones.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct AtVertices;
-
-mod private {
-    pub trait Sealed {}
-    impl Sealed for super::AtPixels {}
-    impl Sealed for super::AtVertices {}
-}
 
 /// Fog as a camera sees it.
 #[derive(Clone, Copy, Debug)]
