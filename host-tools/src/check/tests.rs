@@ -3,7 +3,9 @@
 
 use std::fs;
 
+mod colored;
 mod filter;
+mod fog;
 mod textured;
 
 use super::*;
@@ -86,6 +88,7 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    fog: None,
 };
 
 #[track_caller]

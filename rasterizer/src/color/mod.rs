@@ -1,4 +1,5 @@
-//! Colours by themselves: put over one another, dithered to few bits, and a format of one byte.
+//! Colours by themselves: put over one another, interpolated, dithered to few bits, and a format
+//! of one byte.
 //!
 //! # Colour types
 //!
@@ -33,6 +34,7 @@
 
 mod alpha;
 mod bayer;
+mod channels;
 mod composite;
 mod dither;
 mod linear;
@@ -40,6 +42,8 @@ mod rgb332;
 
 pub use alpha::Alpha;
 pub use bayer::Bayer;
+pub use channels::Channels;
+pub(crate) use channels::to_q16;
 pub use composite::Composite;
 pub use dither::{Dither, FullColor};
 pub use rgb332::Rgb332;
