@@ -9,21 +9,37 @@
 //! Colours are computed in the values that pictures store, without a gamma curve, as small displays
 //! expect.
 
+mod finished;
 mod flat;
+mod gloss;
+mod glossy_gouraud;
 mod gouraud;
+mod lamp;
 mod light;
+mod lighting;
 mod lit;
+mod phong;
+mod place;
+mod point;
 mod ramp;
+#[cfg(test)]
+mod scenes;
 mod skin;
+mod spot;
 mod textured;
 mod textured_flat;
 mod textured_gouraud;
 
 pub use flat::{Flat, Unlit};
+pub use glossy_gouraud::GlossyGouraud;
 pub use gouraud::Gouraud;
+pub use lamp::Lamp;
 pub use light::{Level, Light};
+pub use lighting::Lighting;
+pub use phong::{Phong, PhongCorrection};
 pub use ramp::Ramp;
 pub use skin::{Covered, Slot, VertexCoordinates};
+pub use spot::{FarViewer, NearViewer, ViewedFrom};
 pub use textured::Textured;
 pub use textured_flat::TexturedFlat;
 pub use textured_gouraud::TexturedGouraud;
