@@ -2,8 +2,8 @@
 //!
 //! A frame of `Rgb888` is sent to three displays. Above, each takes the nearest of its colours.
 //! Below, `Dithering` stands before the display: it chooses between the two nearest by the place of
-//! the pixel, so that the mean is right. Everything that is sent is dithered: the sky as well as the
-//! planet.
+//! the pixel, so that the mean is right. Everything that is sent is dithered: the sky as well as
+//! the planet.
 //!
 //! `cargo run -p rasterizer --example dithering`
 

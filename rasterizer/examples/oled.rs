@@ -2,9 +2,9 @@
 //!
 //! `Dithered` makes pixels of any shader's grays, so that a square of them is as bright as the
 //! gray. The frame is `PackedFrame`, eight pixels in a byte, in the order of the display's own
-//! memory: its bytes can be sent as they are. The picture shows three displays: dithered in a frame,
-//! dithered straight onto the display without one, and without dithering, each gray the nearest of
-//! black and white.
+//! memory: its bytes can be sent as they are. The picture shows three displays: dithered in a
+//! frame, dithered straight onto the display without one, and without dithering, each gray the
+//! nearest of black and white.
 //!
 //! `cargo run -p rasterizer --example oled`
 
@@ -18,7 +18,7 @@ pub mod rocket;
 use std::convert::Infallible;
 
 use ball::ball;
-use common::{Result, SCREEN, Screen};
+use common::{Result, SCREEN, Screen, camera};
 use embedded_graphics::{
     mono_font::{MonoTextStyle, ascii::FONT_5X7},
     pixelcolor::{BinaryColor, Gray8, Rgb565, Rgb888},
@@ -46,10 +46,7 @@ static DEPTH: ConstStaticCell<[u16; 128 * 64]> = ConstStaticCell::new([0; 128 * 
 
 pub(crate) fn draw(screen: &mut Screen) -> Result {
     screen.fill_solid(&SCREEN, Rgb565::new(4, 9, 6))?;
-    let lens =
-        const { Perspective::new(Turn::degrees(30), Distance::lit("0.1"), Distance::lit("100")) }?;
-    let eye = const { Vec3::lit("0", "0", "4") };
-    let camera = Camera::look_at(eye, Vec3::ZERO, Vec3::Y, lens, OLED)?;
+    let camera = camera(OLED)?;
     let tilted = Rotation::about_z(-Turn::degrees(66)) * Rotation::about_y(Turn::degrees(50));
     let near = const { Vec3::lit("-0.55", "-0.12", "0.9") };
     let near = Pose::rotated(tilted).at(near).scaled(const { Distance::lit("1.35") });

@@ -129,10 +129,10 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
-//! | [`color`] | alpha, colours put over one another, dithering, a colour of a byte |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
+//! | [`color`] | alpha, blending formulas, dithering, colours of vertices, a colour of a byte |
 //! | [`texture`] | texels in flash: formats, borders, filters, mip levels |
 //! | [`geometry`] | object space to vertices on the screen: transform, clipping, culling |
 //! | [`raster`] | triangles to spans of fragments: edges, rows, gradients |
@@ -158,10 +158,13 @@
 //! | texels of a pixel | the shader's filter | [`Nearest`](texture::Nearest), [`Bilinear`](texture::Bilinear), [`NearestMip`](texture::NearestMip), [`BilinearMip`](texture::BilinearMip), [`Trilinear`](texture::Trilinear) |
 //! | perspective of texture coordinates | the shader's mode, by `corrected` | [`Affine`](attribute::Affine), [`Every`](attribute::Every), [`Adaptive`](attribute::Adaptive), [`EveryPixel`](attribute::EveryPixel); of any varying by [`PerspectiveCorrect`](attribute::PerspectiveCorrect) |
 //! | pixels discarded or not | the shader's [`Outcome`](shade::Shader::Outcome) | a colour, or an `Option` of one |
+//! | colours of the display | the shader's colour type | all of embedded-graphics, [`Rgb332`](color::Rgb332), or your own: [`color`] has a table of them |
+//! | dithering | a wrapper of the shader, or of the display | [`Dithered`](shade::Dithered), [`Dithering`](output::Dithering) |
 //! | byte order of a pixel | the shader's colour type | [`Rgb565Be`](output::Rgb565Be), in SPI order and filled by words, or [any other](output::StoredColor) |
 //! | vertices stored or not | a method of the object | [`project`](scene::Object::project), [`project_on_demand`](scene::Object::project_on_demand) |
 //! | order of triangles | a step before drawing | [`MeshOrder`](scene::MeshOrder), or [`Bins`](scene::Bins) by [`Projected::binned`](scene::Projected::binned) |
 //! | destination | the target's type | [`Frame`](output::Frame), [`Bands`](output::Bands) of it, [`Direct`](output::Direct) |
+//! | pixels of less than a byte | the target's type | [`PackedFrame`](output::PackedFrame), [`Bands::packed`](output::Bands::packed); [`InRows`](output::InRows) or [`InPages`](output::InPages) |
 //! | rows of a frame | its constructor | [`Packed`](output::Packed), or [`Strided`](output::Strided) in a larger buffer by [`with_stride`](output::Frame::with_stride) |
 //!
 //! # Conventions

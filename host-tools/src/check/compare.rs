@@ -131,8 +131,8 @@ impl Comparison {
 }
 
 impl Outcome {
-    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, no pixel
-    /// is wrong by its place, and a display shows the right steps.
+    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, no
+    /// pixel is wrong by its place, and a display shows the right steps.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.arithmetic.is_within(bounds)

@@ -114,8 +114,8 @@ impl Display {
         reference::Display { steps: self.colors.steps(), dither: self.dither.rows() }
     }
 
-    /// Returns what it shows of a picture of `size`, row by row, by the core: the picture is sent to
-    /// a frame of its colours.
+    /// Returns what it shows of a picture of `size`, row by row, by the core: the picture is sent
+    /// to a frame of its colours.
     ///
     /// # Panics
     ///

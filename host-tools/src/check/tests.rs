@@ -3,8 +3,10 @@
 
 use std::fs;
 
+mod colored;
 mod display;
 mod filter;
+mod fog;
 mod textured;
 
 use super::*;
@@ -88,6 +90,7 @@ const FRONT: View = View {
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
     display: None,
+    fog: None,
 };
 
 #[track_caller]

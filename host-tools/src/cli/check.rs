@@ -57,8 +57,8 @@ bad input.";
 pub(super) struct Arguments {
     /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
-    /// Directory for fixed.png, reference.png, difference.png and, with --colors, display.png [default: target/check/NAME, or
-    /// NAME-check without a directory target]
+    /// Directory for fixed.png, reference.png, difference.png and, with --colors, display.png
+    /// [default: target/check/NAME, or NAME-check without a directory target]
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
     /// Overwrite pictures that are not from this program

@@ -8,7 +8,7 @@ use clap::{
     builder::{PathBufValueParser, TypedValueParser as _},
 };
 use host_tools::{
-    check::{self, Colors, Display, FixedPicture, Matrix, Shading, View, ViewError},
+    check::{self, Colors, Display, FixedPicture, Fog, Matrix, Shading, View, ViewError},
     model::Model,
 };
 
@@ -27,6 +27,7 @@ Examples:
   host-tools render model.obj --shading flat --rgb565
   host-tools render model.obj --colors binary --dither 8 --size 128x64
   host-tools render model.obj --filter bilinear --texture-size 64x64
+  host-tools render model.obj --fog linear:2:4       The background hides what is far away
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
 /// Draw a model with the fixed-point core, as a display shows it
@@ -84,7 +85,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         output::allow(&path, output::PNG, overwriting)?;
     }
     let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
-    let (view, frames) = (arguments.view.view(Shading::of(&model)), arguments.view.frames);
+    let (mut view, frames) = (arguments.view.view(Shading::of(&model)), arguments.view.frames);
+    // Fog hides what it covers.
+    view.fog = view.fog.map(|fog| Fog { color: background, ..fog });
     let rgb565 = Display { colors: Colors::Rgb565, dither: Matrix::None };
     let display = view.display.or(arguments.rgb565.then_some(rgb565));
 

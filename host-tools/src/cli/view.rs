@@ -6,14 +6,15 @@ use clap::{
 };
 use host_tools::{
     check::{
-        Colors, Correction, DepthFormat, Display, Filter, Matrix, Projection, Shading, Subpixel,
-        View,
+        Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Matrix, Projection, Shading,
+        Subpixel, View,
     },
     model::{Model, Options},
+    reference,
 };
 use serde::Serialize;
 
-use super::{smoothing::Smoothing, textures::TextureArguments};
+use super::{image, smoothing::Smoothing, textures::TextureArguments};
 
 /// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
@@ -43,8 +44,8 @@ pub(super) struct ViewOptions {
         value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
-    /// How triangles are coloured [default: textured-gouraud if the model has textures, otherwise
-    /// gouraud]
+    /// How triangles are coloured [default: textured-gouraud if the model has textures,
+    /// colored-gouraud if its vertices have colours, otherwise gouraud]
     #[arg(long, value_parser = choice(&Shading::NAMES))]
     shading: Option<Shading>,
     /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often
@@ -69,6 +70,19 @@ pub(super) struct ViewOptions {
     /// Dither to them instead, by a matrix of this many rows
     #[arg(long, value_name = "ROWS", requires = "colors", value_parser = choice(&Matrix::NAMES))]
     dither: Option<Matrix>,
+    /// Fog by the distance from the camera's plane: none up to START and all from END on, or e to
+    /// the -DENSITY a unit
+    #[arg(long, value_name = "linear:START:END|exp:DENSITY", value_parser = fog)]
+    fog: Option<reference::Fog>,
+    /// Where fog is computed
+    #[arg(
+        long,
+        value_name = "WHERE",
+        requires = "fog",
+        default_value = name(&FogBy::NAMES, FogBy::default()),
+        value_parser = choice(&FogBy::NAMES)
+    )]
+    fog_by: FogBy,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -182,6 +196,7 @@ impl ViewOptions {
             display: self
                 .colors
                 .map(|colors| Display { colors, dither: self.dither.unwrap_or_default() }),
+            fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: image::BACKGROUND }),
         }
     }
 
@@ -208,6 +223,10 @@ pub(super) struct Settings {
     colors: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     dither: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog_by: Option<&'static str>,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -238,6 +257,8 @@ impl Settings {
             filter: name(&Filter::NAMES, view.filter),
             colors: view.display.map(|display| name(&Colors::NAMES, display.colors)),
             dither: view.display.and_then(|display| display.dither.rows()),
+            fog: view.fog.map(|fog| law(fog.law)),
+            fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             distance: view.distance,
             fov,
             height,
@@ -258,12 +279,16 @@ impl Settings {
         } else {
             String::new()
         };
+        let fog = match (&self.fog, self.fog_by) {
+            (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
+            _ => String::new(),
+        };
         let dither =
             self.dither.map_or_else(String::new, |rows| format!(" dithered {rows}x{rows}"));
         let colors =
             self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{colors}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -292,6 +317,29 @@ pub(super) fn within(
     move |text| {
         let number = text.parse().ok().filter(|n| (least..=most).contains(n));
         number.ok_or_else(|| format!("it must be a number from {least} to {most}"))
+    }
+}
+
+/// A law of fog, as in linear:2:10 or exp:0.3.
+fn fog(text: &str) -> Result<reference::Fog, String> {
+    let number = |text: &str, most: f64| within(0.0, most)(text);
+    if let Some(density) = text.strip_prefix("exp:") {
+        return Ok(reference::Fog::Exponential { density: number(density, 255.0)? });
+    }
+    let ends = text.strip_prefix("linear:").and_then(|ends| ends.split_once(':'));
+    let (start, end) = ends.ok_or("write linear:START:END or exp:DENSITY, as in exp:0.3")?;
+    let [start, end] = [number(start, 65_535.0)?, number(end, 65_535.0)?];
+    if end <= start {
+        return Err("it must end beyond its start".into());
+    }
+    Ok(reference::Fog::Linear { start, end })
+}
+
+/// The law as it is written.
+fn law(law: reference::Fog) -> String {
+    match law {
+        reference::Fog::Linear { start, end } => format!("linear:{start}:{end}"),
+        reference::Fog::Exponential { density } => format!("exp:{density}"),
     }
 }
 
@@ -331,7 +379,7 @@ mod tests {
     #[test]
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
-                    every-16 --filter trilinear --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+                    every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
                     --crease 10 --frames 5 --colors gray2 --dither 4";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
@@ -349,6 +397,11 @@ mod tests {
             perspective: Correction::Every16,
             filter: Filter::Trilinear,
             display: Some(Display { colors: Colors::Gray2, dither: Matrix::Four }),
+            fog: Some(Fog {
+                law: reference::Fog::Linear { start: 1.5, end: 9.0 },
+                by: FogBy::Vertex,
+                color: image::BACKGROUND,
+            }),
         };
         assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
@@ -375,6 +428,21 @@ mod tests {
             ("--filter", &["linear", "Nearest"]),
             ("--colors", &["rgb", "", "1"]),
             ("--dither", &["2", "", "bayer"]),
+            (
+                "--fog",
+                &[
+                    "",
+                    "exp",
+                    "exp:",
+                    "exp:-1",
+                    "exp:nan",
+                    "linear:1",
+                    "linear:2:2",
+                    "linear:3:1",
+                    "3",
+                ],
+            ),
+            ("--fog-by", &["pixel", "face"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();

@@ -19,6 +19,9 @@ pub struct Faces {
     pub corners: Vec<u32>,
     /// The texture coordinates of the corners, v running down; none if the file has none.
     pub texture_coordinates: Vec<[f64; 2]>,
+    /// The colours of the corners from 0 to 255: those of vertices, or of the materials of vertices
+    /// without; none if no vertex has one.
+    pub vertex_colors: Vec<[f64; 3]>,
     /// The faces in the order of the file.
     pub faces: Vec<Face>,
     /// Which of `positions` each vertex of the tables has.
@@ -41,7 +44,8 @@ pub struct Face {
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
     /// are `shape`. `ranks` has the number of each material in the tables, `lines` the line of each
-    /// face, `vertices` the position of each vertex of the tables. It has no texture coordinates.
+    /// face, `vertices` the position of each vertex of the tables. It has no texture coordinates
+    /// and no colours of vertices.
     pub(super) fn new(
         polygons: &Polygons,
         ranks: &[Option<usize>],
@@ -63,8 +67,8 @@ impl Faces {
         let positions = (polygons.positions.iter().zip(shape))
             .map(|(&original, &shape)| fitted.place(original, shape))
             .collect();
-        let (texture_coordinates, vertices) = (Vec::new(), vertices.to_vec());
-        Self { positions, corners, texture_coordinates, faces, vertices }
+        let vertices = vertices.to_vec();
+        Self { positions, corners, faces, vertices, ..Self::default() }
     }
 
     /// The positions of a face's corners.
@@ -79,4 +83,14 @@ impl Faces {
 pub(super) fn texture_coordinates(corners: &[Corner], textured: usize) -> Vec<[f64; 2]> {
     let of = |corner: &Corner| turned(corner.texture);
     if textured == 0 { Vec::new() } else { corners.iter().map(of).collect() }
+}
+
+/// The colours of corners, which name them by `colors`; none if no vertex has one.
+pub(super) fn vertex_colors(polygons: &Polygons, colors: &[u32]) -> Vec<[f64; 3]> {
+    if polygons.vertex_colors.is_empty() {
+        return Vec::new();
+    }
+    let materials =
+        (polygons.faces.iter()).flat_map(|face| std::iter::repeat_n(face.material, face.arity));
+    colors.iter().zip(materials).map(|(&color, material)| polygons.color(color, material)).collect()
 }

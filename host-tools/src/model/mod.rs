@@ -7,9 +7,9 @@
 //! values before rounding.
 //!
 //! The converter reads positions, normals, texture coordinates, faces, diffuse colours, textures
-//! and finishes of an OBJ file, and its smoothing groups where it has no normals. What else a file
-//! shows and the tables cannot hold, such as lines, curves, vertex colours and textures of opacity,
-//! it leaves out with a warning for each kind.
+//! and finishes of an OBJ file, the colours of its vertices (`v x y z r g b`), and its smoothing
+//! groups where it has no normals. What else a file shows and the tables cannot hold, such as
+//! lines, curves and textures of opacity, it leaves out with a warning for each kind.
 
 mod cap;
 mod ears;
@@ -41,6 +41,7 @@ mod textures;
 mod triangulate;
 mod validate;
 mod vector;
+mod vertex_colors;
 mod warnings;
 mod weld;
 mod winding;
@@ -93,6 +94,8 @@ pub struct Model {
     pub face_normals: Vec<[i8; 3]>,
     /// Texture coordinates of the vertices, or none.
     pub texture_coordinates: TextureTable,
+    /// Colours of the vertices, or none.
+    pub vertex_colors: Vec<[u8; 3]>,
     /// Vertex indices, sorted by material.
     pub triangles: Indices,
     /// The colours and how many triangles each covers.
@@ -230,6 +233,12 @@ impl Model {
         // The largest of what is no longer needed: of a million triangles 200 MB.
         let all = std::mem::take(&mut polygons.corners);
         let file_textures = faces::texture_coordinates(&all, checked.textured_corners);
+        let colors: Vec<u32> =
+            if options.contents.vertex_colors && !polygons.vertex_colors.is_empty() {
+                all.iter().map(|corner| corner.color).collect()
+            } else {
+                Vec::new()
+            };
         let rings = all.into_iter().map(|corner| corner.position).collect();
         checked.text = String::new();
         if corners.is_empty() {
@@ -270,7 +279,7 @@ impl Model {
         } else {
             Vec::new()
         };
-        let welded = weld::weld(&corners, &normals, options.contents);
+        let welded = weld::weld(&corners, &normals, &polygons, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
         let tables = order::Ordered::new(welded, &materials);
@@ -281,6 +290,7 @@ impl Model {
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
         let faces = Faces {
             texture_coordinates: file_textures,
+            vertex_colors: faces::vertex_colors(&polygons, &colors),
             ..Faces::new(
                 &polygons,
                 &ranks,
@@ -336,6 +346,7 @@ impl Model {
             scale,
             offset: fitted.offset,
             texture_coordinates,
+            vertex_colors: tables.welded.colors,
             materials,
             finishes,
             textures,
@@ -373,6 +384,7 @@ impl Model {
             vertex_normals: Normals::I8(&self.vertex_normals),
             face_normals: Normals::I8(&self.face_normals),
             texture_coordinates: self.texture_coordinates.as_column(),
+            vertex_colors: &self.vertex_colors,
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
             finishes: &self.finishes,
@@ -407,6 +419,7 @@ impl Model {
             vertex_normals: size_of_val(&self.vertex_normals[..]),
             face_normals: size_of_val(&self.face_normals[..]),
             texture_coordinates: self.texture_coordinates.bytes(),
+            vertex_colors: size_of_val(&self.vertex_colors[..]),
             triangles: match &self.triangles {
                 Indices::U8(triangles) => size_of_val(&triangles[..]),
                 Indices::U16(triangles) => size_of_val(&triangles[..]),

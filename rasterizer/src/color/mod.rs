@@ -1,4 +1,5 @@
-//! Colours by themselves: put over one another, dithered to few bits, and a format of one byte.
+//! Colours by themselves: put over one another, interpolated, dithered to few bits, and a format
+//! of one byte.
 //!
 //! # Colour types
 //!
@@ -26,8 +27,8 @@
 //!   [`Direct`](crate::output::Direct) take all of them, at a byte a pixel or more.
 //!   [`PackedFrame`](crate::output::PackedFrame) stores colours of 1, 2 and 4 bits without gaps.
 //! * Blended colours are read, changed and stored in their own type: [`Composite`]. A pixel of
-//!   `BinaryColor` is replaced or left out; to blend for such a display, draw in `Gray8`, and dither
-//!   what is sent ([`Dithering`](crate::output::Dithering)).
+//!   `BinaryColor` is replaced or left out. To blend for such a display, draw in `Gray8`, and
+//!   dither what is sent: [`Dithering`](crate::output::Dithering).
 //! * Textures have texels of any type, and are filtered and lit in it:
 //!   [`Mix`](crate::texture::Mix).
 //! * embedded-graphics has no type of 12 bits. A type of your own takes
@@ -36,6 +37,7 @@
 
 mod alpha;
 mod bayer;
+mod channels;
 mod composite;
 mod dither;
 mod linear;
@@ -43,6 +45,8 @@ mod rgb332;
 
 pub use alpha::Alpha;
 pub use bayer::Bayer;
+pub use channels::Channels;
+pub(crate) use channels::to_q16;
 pub use composite::Composite;
 pub use dither::{Dither, FullColor};
 pub use rgb332::Rgb332;

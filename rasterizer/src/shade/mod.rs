@@ -9,25 +9,47 @@
 //! Colours are computed in the values that pictures store, without a gamma curve, as small displays
 //! expect.
 
+mod colored;
 mod dithered;
 mod faded;
+mod finished;
 mod flat;
+mod fog;
+mod gloss;
+mod glossy_gouraud;
 mod gouraud;
+mod lamp;
 mod light;
+mod lighting;
 mod lit;
+mod phong;
+mod place;
+mod point;
 mod ramp;
+#[cfg(test)]
+mod scenes;
 mod skin;
+mod spot;
 mod textured;
 mod textured_flat;
 mod textured_gouraud;
 
+pub use colored::{Colored, ColoredGouraud};
 pub use dithered::{Dithered, DitheredFace, DitheredPixel};
 pub use faded::{Faded, FadedPixel};
 pub use flat::{Flat, Unlit};
+#[doc(hidden)]
+pub use fog::SeenFog;
+pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged, FoggedFace};
+pub use glossy_gouraud::GlossyGouraud;
 pub use gouraud::Gouraud;
+pub use lamp::Lamp;
 pub use light::{Level, Light};
+pub use lighting::Lighting;
+pub use phong::{Phong, PhongCorrection};
 pub use ramp::Ramp;
 pub use skin::{Covered, Slot, VertexCoordinates};
+pub use spot::{FarViewer, NearViewer, ViewedFrom};
 pub use textured::Textured;
 pub use textured_flat::TexturedFlat;
 pub use textured_gouraud::TexturedGouraud;

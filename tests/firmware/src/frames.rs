@@ -1,5 +1,7 @@
 //! Frames and their hashes.
 
+mod colors;
+
 use core::convert::Infallible;
 
 use embedded_graphics_core::{
@@ -71,6 +73,7 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     flat(memory, light);
     floating_depth(&knot, memory);
     textured(memory, light);
+    colors::dithered(memory, light);
 }
 
 /// The textured cube: stored, filtered, corrected and lit in several ways, each in one precision.

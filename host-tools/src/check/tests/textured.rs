@@ -60,6 +60,7 @@ const VIEW: View = View {
     perspective: Correction::EveryPixel,
     filter: Filter::Nearest,
     display: None,
+    fog: None,
     shading: Shading::Textured,
     ..FRONT
 };
