@@ -15,7 +15,7 @@ use rasterizer::{
 };
 
 use super::{
-    DefinedDepth, DepthFormat, Texels,
+    DefinedDepth, DepthFormat, NormalErrors, Texels,
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
     view::{Projection, Subpixel, View, ViewError},
@@ -40,8 +40,8 @@ pub(super) struct Drawn<'a> {
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
 
-/// The reference on the core's own vertices, and how far texture coordinates are off it.
-pub(super) type Arithmetic = (Picture, Option<Texels>);
+/// The reference on the core's own vertices, and how far texture coordinates and normals are off.
+pub(super) type Arithmetic = (Picture, Option<Texels>, Option<NormalErrors>);
 
 /// Draws a model by the core.
 ///
@@ -63,7 +63,9 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
         picture,
         vertices,
         time,
-        arithmetic: Box::new(move |_| (reference::draw_screen(&triangles, size, shade), None)),
+        arithmetic: Box::new(move |_| {
+            (reference::draw_screen(&triangles, size, shade), None, None)
+        }),
         end_to_end: end_to_end((model, surface), view, exact, shade_exact),
     })
 }

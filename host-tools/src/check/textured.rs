@@ -90,7 +90,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
             };
             right.color.filter(|_| !right.may_be_transparent || is_drawn())
         });
-        (picture, Some(texels))
+        (picture, Some(texels), None)
     };
     let exact = move |corner: Corner| -> Varyings {
         let (uv, light) = exact(corner);

@@ -42,8 +42,11 @@ pub(crate) const fn dot_q15([a, b, c]: &[i32; 3], [d, e, f]: &[i32; 3]) -> i32 {
 
 #[inline(always)]
 const fn square([x, y, z]: [i32; 3]) -> u32 {
+    const fn squared(c: i32) -> u32 {
+        c.cast_unsigned().wrapping_mul(c.cast_unsigned())
+    }
     // Below 2^32, as the length is below 2^16.
-    ((x * x) as u32).wrapping_add((y * y) as u32).wrapping_add((z * z) as u32)
+    squared(x).wrapping_add(squared(y)).wrapping_add(squared(z))
 }
 
 /// A square shifted by an even number of bits to 2^30 or more, and half that number.
