@@ -22,7 +22,7 @@ use static_cell::ConstStaticCell;
 const NIGHT: Rgb565 = Rgb565::new(1, 2, 3);
 const MOON: Light = Light::new(Vec3::lit("0", "1", "0"), Level::lit("0.05"), Level::lit("0.1"));
 const PLACE: Vec3 = Vec3::lit("0.05", "0.05", "0.2");
-const LAMP: Lamp = Lamp::new(PLACE, Distance::lit("0.7"), Level::ONE);
+const LAMP: Lamp = Lamp::new(PLACE, Distance::lit("1.2"), Level::ONE);
 
 static BULB: Mesh<'static> = ball(&[Material::new([255, 240, 190], ball::TRIANGLES)]);
 static BALL: Mesh<'static> = ball(&[Material::new([220, 170, 110], ball::TRIANGLES)]);

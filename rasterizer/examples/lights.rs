@@ -18,7 +18,7 @@ use static_cell::ConstStaticCell;
 
 const NIGHT: Rgb565 = Rgb565::new(2, 5, 6);
 /// Ambient light is that of all together: one of them has it.
-const KEY: Light = Light::new(Vec3::lit("-3", "1", "2"), Level::lit("0.06"), Level::lit("0.6"));
+const KEY: Light = Light::new(Vec3::lit("-3", "1", "2"), Level::lit("0.08"), Level::lit("0.8"));
 const FILL: Light = Light::new(Vec3::lit("3", "-1", "2"), Level::ZERO, Level::lit("0.25"));
 const RIM: Light = Light::new(Vec3::lit("2", "4", "-2"), Level::ZERO, Level::lit("0.8"));
 

@@ -36,7 +36,7 @@ static BALL: Mesh<'static> = Mesh::new_const(Tables {
         Material::new([60, 40, 10], 40 + 3 * 80),
         Material::new([190, 110, 80], 5 * 80),
         Material::new([150, 110, 40], 5 * 80),
-        Material::new([25, 25, 30], 5 * 80 + 40),
+        Material::new([40, 30, 60], 5 * 80 + 40),
     ])
     .tables()
 });
@@ -45,8 +45,8 @@ static COLOR: ConstStaticCell<[Rgb565; 240 * 240]> = ConstStaticCell::new([WALL;
 static DEPTH: ConstStaticCell<[u16; 240 * 240]> = ConstStaticCell::new([0; 240 * 240]);
 
 pub(crate) fn draw(screen: &mut Screen) -> Result {
-    // The far pole is seen too: the ball is turned to the viewer, and rolled.
-    let turned = Rotation::about_z(Turn::degrees(25)) * Rotation::about_x(Turn::degrees(15));
+    // The lower rings are turned to the viewer, and all of them rolled.
+    let turned = Rotation::about_z(Turn::degrees(25)) * Rotation::about_x(-Turn::degrees(12));
     let pose = Pose::rotated(turned).scaled(const { Distance::lit("0.95") });
     let shader = Phong::new([WINDOW, SPOT]);
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; BALL.vertex_count()];

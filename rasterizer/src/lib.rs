@@ -132,6 +132,7 @@
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
+//! | [`color`] | alpha, blending formulas, dithering, colours of vertices, a colour of a byte |
 //! | [`texture`] | texels in flash: formats, borders, filters, mip levels |
 //! | [`geometry`] | object space to vertices on the screen: transform, clipping, culling |
 //! | [`raster`] | triangles to spans of fragments: edges, rows, gradients |
@@ -235,6 +236,7 @@ extern crate std;
 
 pub mod attribute;
 pub mod camera;
+pub mod color;
 pub mod geometry;
 pub mod mesh;
 pub mod numbers;

@@ -39,11 +39,8 @@ pub struct ViewLights {
 }
 
 impl Default for ViewLights {
-    /// One, over the viewer's left shoulder.
     fn default() -> Self {
-        let mut suns = [None; MOST_LIGHTS];
-        suns[0] = Some(Sun { toward: [-1.0, 2.0, 3.0], level: 0.8 });
-        Self { suns, lamps: [None; MOST_LIGHTS] }
+        Self::OVER_THE_SHOULDER
     }
 }
 
@@ -51,6 +48,13 @@ impl Default for ViewLights {
 pub(super) type CoreLights = ([Light; MOST_LIGHTS + 1], [shade::Lamp; MOST_LIGHTS]);
 
 impl ViewLights {
+    /// One far light, over the viewer's left shoulder.
+    pub const OVER_THE_SHOULDER: Self = {
+        let mut suns = [None; MOST_LIGHTS];
+        suns[0] = Some(Sun { toward: [-1.0, 2.0, 3.0], level: 0.8 });
+        Self { suns, lamps: [None; MOST_LIGHTS] }
+    };
+
     /// The level of surfaces that no light reaches.
     pub const AMBIENT: f64 = 0.2;
 

@@ -171,7 +171,7 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
 ) -> Result<Drawn<'a>, ViewError> {
     let shader = Probe { shader: *shader, read };
     let Definition { model, surface, .. } = definition;
-    let Placed { picture, triangles, vertices, time, colors } =
+    let Placed { picture, triangles, vertices, time, colors, fog } =
         fixed::place::<7, _>(model, view, &shader, |_, corner| {
             let ([[x, y, z], [u, v, w]], q) = placed(&corner);
             [x * q, y * q, z * q, u * q, v * q, w * q, q]
@@ -195,25 +195,32 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
         let errors = NormalErrors::of(&seen, fixed, depth, &exact);
         let [spare, step] = position_units(model);
         let offset = model.offset.to_bits().map(|c| f64::from(c) / 65_536.0);
-        let picture = reference::draw_screen(&triangles, size, |sample: Sample<7>| {
-            let index = sample.pixel[1] * size.0 + sample.pixel[0];
+        // Of each fragment its colour, and by how much each channel of that may be off.
+        let right = reference::draw_screen(&triangles, size, |sample: Sample<7>| {
             let [exact, position] = parts(&sample);
-            let normal = seen_or(seen[index], exact);
+            let normal = seen_or(seen[sample.pixel[1] * size.0 + sample.pixel[0]], exact);
             let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
             let position = [0, 1, 2].map(|i| offset[i] + position[i] * spare * step);
             let [normal, position] =
                 [normal.map(|c| c / length), position].map(|v| core_view.core_pose_points(&[v])[0]);
             let finish = &definition.finishes[sample.triangle];
             let [diffuse, specular] = definition.levels(position, normal, finish.exponent);
-            let color = finish.color(diffuse, specular);
             // What the 15 bits of a cosine, and lines between powers, leave of the exact power.
             let lost = (1.0 + finish.exponent / 32.0) / 256.0 * total(&definition.lights);
-            let drawn = fixed.pixels[index].color.map(f64::from);
-            Some([0, 1, 2].map(|i| {
-                let most = lost * finish.specular[i];
-                drawn[i].clamp(color[i] - most, color[i] + most)
-            }))
+            Some((finish.color(diffuse, specular), finish.specular.map(|channel| lost * channel)))
         });
+        let picture = right.recolored(|pixel, fragment| {
+            let mut drawn = fixed.color(pixel);
+            if let Some(fog) = &fog {
+                drawn = fog.bare(pixel, fragment, drawn);
+            }
+            let (color, off) = fragment.color;
+            Some([0, 1, 2].map(|i| drawn[i].clamp(color[i] - off[i], color[i] + off[i])))
+        });
+        let picture = match &fog {
+            Some(fog) => fog.over(&picture, |pixel| fixed.color(pixel)),
+            None => picture,
+        };
         (picture, None, Some(errors))
     };
     let exact = move |corner: Corner| {

@@ -3,7 +3,10 @@
 
 use std::fs;
 
+mod colored;
 mod filter;
+mod fog;
+mod shiny;
 mod textured;
 
 use super::*;
@@ -86,6 +89,8 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    fog: None,
+    lights: ViewLights::OVER_THE_SHOULDER,
 };
 
 #[track_caller]

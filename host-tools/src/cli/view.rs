@@ -6,14 +6,15 @@ use clap::{
 };
 use host_tools::{
     check::{
-        Correction, DepthFormat, Filter, Lamp, MOST_LIGHTS, Projection, Shading, Subpixel, Sun,
-        View, ViewLights,
+        Correction, DepthFormat, Filter, Fog, FogBy, Lamp, MOST_LIGHTS, Projection, Shading,
+        Subpixel, Sun, View, ViewLights,
     },
     model::{Model, Options},
+    reference,
 };
 use serde::Serialize;
 
-use super::{smoothing::Smoothing, textures::TextureArguments};
+use super::{image, smoothing::Smoothing, textures::TextureArguments};
 
 /// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
@@ -43,8 +44,8 @@ pub(super) struct ViewOptions {
         value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
-    /// How triangles are coloured [default: textured-gouraud if the model has textures, otherwise
-    /// gouraud]
+    /// How triangles are coloured [default: textured-gouraud if the model has textures,
+    /// colored-gouraud if its vertices have colours, otherwise gouraud]
     #[arg(long, value_parser = choice(&Shading::NAMES))]
     shading: Option<Shading>,
     /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often
@@ -63,6 +64,19 @@ pub(super) struct ViewOptions {
         value_parser = choice(&Filter::NAMES)
     )]
     filter: Filter,
+    /// Fog by the distance from the camera's plane: none up to START and all from END on, or e to
+    /// the -DENSITY a unit
+    #[arg(long, value_name = "linear:START:END|exp:DENSITY", value_parser = fog)]
+    fog: Option<reference::Fog>,
+    /// Where fog is computed
+    #[arg(
+        long,
+        value_name = "WHERE",
+        requires = "fog",
+        default_value = name(&FogBy::NAMES, FogBy::default()),
+        value_parser = choice(&FogBy::NAMES)
+    )]
+    fog_by: FogBy,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -187,6 +201,7 @@ impl ViewOptions {
             perspective: self.perspective,
             filter: self.filter,
             lights: self.lights(),
+            fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: image::BACKGROUND }),
         }
     }
 
@@ -232,6 +247,10 @@ pub(super) struct Settings {
     filter: &'static str,
     lights: Vec<[f64; 4]>,
     lamps: Vec<[f64; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog_by: Option<&'static str>,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -266,6 +285,8 @@ impl Settings {
             lamps: (view.lights.lamps.iter().flatten())
                 .map(|&Lamp { position: [x, y, z], half }| [x, y, z, half])
                 .collect(),
+            fog: view.fog.map(|fog| law(fog.law)),
+            fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             distance: view.distance,
             fov,
             height,
@@ -286,8 +307,12 @@ impl Settings {
         } else {
             String::new()
         };
+        let fog = match (&self.fog, self.fog_by) {
+            (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
+            _ => String::new(),
+        };
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -354,6 +379,29 @@ fn lamp(text: &str) -> Result<Lamp, String> {
     })
 }
 
+/// A law of fog, as in linear:2:10 or exp:0.3.
+fn fog(text: &str) -> Result<reference::Fog, String> {
+    let number = |text: &str, most: f64| within(0.0, most)(text);
+    if let Some(density) = text.strip_prefix("exp:") {
+        return Ok(reference::Fog::Exponential { density: number(density, 255.0)? });
+    }
+    let ends = text.strip_prefix("linear:").and_then(|ends| ends.split_once(':'));
+    let (start, end) = ends.ok_or("write linear:START:END or exp:DENSITY, as in exp:0.3")?;
+    let [start, end] = [number(start, 65_535.0)?, number(end, 65_535.0)?];
+    if end <= start {
+        return Err("it must end beyond its start".into());
+    }
+    Ok(reference::Fog::Linear { start, end })
+}
+
+/// The law as it is written.
+fn law(law: reference::Fog) -> String {
+    match law {
+        reference::Fog::Linear { start, end } => format!("linear:{start}:{end}"),
+        reference::Fog::Exponential { density } => format!("exp:{density}"),
+    }
+}
+
 /// Width and height, as in 320x240.
 fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIZE).contains(n));
@@ -390,7 +438,7 @@ mod tests {
     #[test]
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
-                    every-16 --filter trilinear --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+                    every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
                     --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
@@ -416,6 +464,11 @@ mod tests {
                 ],
                 lamps: [Some(Lamp { position: [-1.0, 0.0, 2.0], half: 1.5 }), None, None, None],
             },
+            fog: Some(Fog {
+                law: reference::Fog::Linear { start: 1.5, end: 9.0 },
+                by: FogBy::Vertex,
+                color: image::BACKGROUND,
+            }),
         };
         assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
@@ -442,6 +495,21 @@ mod tests {
             ("--lamp", &["1,2,3", "1,2,3,0", "1,2,3,-1", "1,2,inf,1", ""]),
             ("--perspective", &["every-5", "every", ""]),
             ("--filter", &["linear", "Nearest"]),
+            (
+                "--fog",
+                &[
+                    "",
+                    "exp",
+                    "exp:",
+                    "exp:-1",
+                    "exp:nan",
+                    "linear:1",
+                    "linear:2:2",
+                    "linear:3:1",
+                    "3",
+                ],
+            ),
+            ("--fog-by", &["pixel", "face"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();
