@@ -6,6 +6,7 @@ use std::fs;
 mod colored;
 mod filter;
 mod fog;
+mod shiny;
 mod textured;
 
 use super::*;
@@ -89,6 +90,7 @@ const FRONT: View = View {
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
     fog: None,
+    lights: ViewLights::OVER_THE_SHOULDER,
 };
 
 #[track_caller]

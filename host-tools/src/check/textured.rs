@@ -100,7 +100,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
             Some(fog) => fog.over(&picture, |pixel| fixed.color(pixel)),
             None => picture,
         };
-        (picture, Some(texels))
+        (picture, Some(texels), None)
     };
     let exact = move |corner: Corner| -> Varyings {
         let (uv, light) = exact(corner);

@@ -10,10 +10,10 @@ use rasterizer::{
     numbers::{Rotation, Scalar, Turn, Vec3},
     output::FrameError,
     scene::ProjectError,
-    shade::{self, Level, Light},
+    shade,
 };
 
-use super::{Correction, DepthFormat, Filter, Fog, Shading};
+use super::{Correction, DepthFormat, Filter, Fog, Shading, ViewLights};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -81,6 +81,8 @@ pub struct View {
     pub perspective: Correction,
     /// How a colour is taken from a texture.
     pub filter: Filter,
+    /// What lights the model.
+    pub lights: ViewLights,
     /// What colours fade into with the distance.
     pub fog: Option<Fog>,
 }
@@ -102,6 +104,7 @@ impl Default for View {
             shading: Shading::default(),
             perspective: Correction::default(),
             filter: Filter::default(),
+            lights: ViewLights::default(),
             fog: None,
         }
     }
@@ -140,11 +143,6 @@ pub enum ViewError {
     #[error("{0}")]
     Frame(#[from] FrameError),
 }
-
-/// Where the light comes from: over the viewer's left shoulder.
-const LIGHT: [&str; 3] = ["-1", "2", "3"];
-const AMBIENT: &str = "0.2";
-const DIFFUSE: &str = "0.8";
 
 impl View {
     /// Returns the view with the model turned further about y: step `frame` of `frames` in a full
@@ -249,19 +247,11 @@ impl View {
         ])
     }
 
-    pub(super) const fn light() -> Light {
-        let [x, y, z] = LIGHT;
-        Light::new(Vec3::lit(x, y, z), Level::lit(AMBIENT), Level::lit(DIFFUSE))
-    }
-
-    pub(super) fn reference_light(&self) -> reference::Light {
-        let number = |text: &str| text.parse().expect("the light is given in decimal numbers");
-        let toward: [f64; 3] = LIGHT.map(number);
-        let length = toward.iter().map(|c| c * c).sum::<f64>().sqrt();
-        reference::Light {
-            toward: toward.map(|c| c / length),
-            ambient: number(AMBIENT),
-            diffuse: number(DIFFUSE),
+    /// Where the viewer is.
+    pub(super) fn reference_viewer(&self) -> reference::Viewer {
+        match self.projection {
+            Projection::Perspective { .. } => reference::Viewer::At([0.0, 0.0, self.distance]),
+            Projection::Orthographic { .. } => reference::Viewer::Toward([0.0, 0.0, 1.0]),
         }
     }
 

@@ -26,6 +26,7 @@ Examples:
   host-tools render model.obj -o logo.png --size 240x240 --yaw 45 --pitch 30
   host-tools render model.obj --shading flat --rgb565
   host-tools render model.obj --filter bilinear --texture-size 64x64
+  host-tools render model.obj --shading phong --light=-1,2,3,0.6 --lamp 1,0,1,0.5
   host-tools render model.obj --fog linear:2:4       The background hides what is far away
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
@@ -84,6 +85,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         output::allow(&path, output::PNG, overwriting)?;
     }
     let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
+    arguments.view.check()?;
     let (mut view, frames) = (arguments.view.view(Shading::of(&model)), arguments.view.frames);
     // Fog hides what it covers.
     view.fog = view.fog.map(|fog| Fog { color: background, ..fog });
