@@ -129,7 +129,7 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
-//! | [`color`] | alpha, colours put over one another, colours of vertices |
+//! | [`color`] | alpha, colours put over one another or interpolated, dithering, a colour of a byte |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |

@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::{
     fit::Fitted,
     polygons::{self, Corner, Polygons},
+    texture_coordinates::turned,
     vector::Vector,
 };
 
@@ -42,12 +43,12 @@ pub struct Face {
 
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
-    /// are `shape`. `used` has the materials of the tables, `lines` the line of each face,
-    /// `vertices` the position of each vertex of the tables. Texture coordinates and colours of
-    /// vertices are left out.
+    /// are `shape`. `ranks` has the number of each material in the tables, `lines` the line of each
+    /// face, `vertices` the position of each vertex of the tables. It has no texture coordinates and
+    /// no colours of vertices.
     pub(super) fn new(
         polygons: &Polygons,
-        used: &[usize],
+        ranks: &[Option<usize>],
         corners: Vec<u32>,
         shape: &[Vector],
         fitted: &Fitted,
@@ -59,8 +60,8 @@ impl Faces {
             .map(|(&polygons::Face { arity, material, .. }, &line)| {
                 let range = start..start + arity;
                 start = range.end;
-                let number = used.iter().position(|&used| used == material).unwrap_or(0);
-                Face { corners: range, color: polygons.colors[material], material: number, line }
+                let (color, number) = (polygons.colors[material], ranks[material].unwrap_or(0));
+                Face { corners: range, color, material: number, line }
             })
             .collect();
         let positions = (polygons.positions.iter().zip(shape))
@@ -80,8 +81,8 @@ impl Faces {
 /// The texture coordinates of corners, v running down; none if the number of those that have any in
 /// the file, `textured`, is 0.
 pub(super) fn texture_coordinates(corners: &[Corner], textured: usize) -> Vec<[f64; 2]> {
-    let turned = |corner: &Corner| [corner.texture[0], 1.0 - corner.texture[1]];
-    if textured == 0 { Vec::new() } else { corners.iter().map(turned).collect() }
+    let of = |corner: &Corner| turned(corner.texture);
+    if textured == 0 { Vec::new() } else { corners.iter().map(of).collect() }
 }
 
 /// The colours of corners, which name them by `colors`; none if no vertex has one.

@@ -47,10 +47,7 @@ mod weld;
 mod winding;
 mod write;
 
-use std::{
-    collections::HashMap,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use rasterizer::{
     mesh::{Finish, Material, Mesh, Normals, Positions, Tables, Triangles},
@@ -247,7 +244,7 @@ impl Model {
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
-        let used = sort_by_material(&mut corners);
+        let (used, ranks) = sort_by_material(&mut corners, polygons.colors.len());
         let loaded = match options.textures.filter(|_| pictures == Pictures::Kept) {
             None => None,
             Some(textures) => {
@@ -291,13 +288,12 @@ impl Model {
         };
         let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
-        let used: Vec<usize> = used.iter().map(|&(id, _)| id).collect();
         let faces = Faces {
             texture_coordinates: file_textures,
             vertex_colors: faces::vertex_colors(&polygons, &colors),
             ..Faces::new(
                 &polygons,
-                &used,
+                &ranks,
                 rings,
                 &whole,
                 &fitted,
@@ -392,7 +388,6 @@ impl Model {
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
             finishes: &self.finishes,
-            ..Tables::EMPTY
         })
     }
 
@@ -444,20 +439,23 @@ fn at_most_16_bits(path: &Path, count: usize) -> Result<(), ModelError> {
     }
 }
 
-/// Sorts triangles by material, in the order in which materials are first used, and lists the
-/// materials used, with the number of triangles of each.
-fn sort_by_material(triangles: &mut [Triangle]) -> Vec<(usize, u32)> {
+/// Sorts triangles by material, in the order in which materials are first used. Lists the materials
+/// used, with the number of triangles of each, and for each of all `count` its place in that list.
+fn sort_by_material(
+    triangles: &mut [Triangle],
+    count: usize,
+) -> (Vec<(usize, u32)>, Vec<Option<usize>>) {
     let mut used: Vec<(usize, u32)> = Vec::new();
-    let mut ranks = HashMap::new();
+    let mut ranks = vec![None; count];
     for &Triangle { material, .. } in &*triangles {
-        let rank = *ranks.entry(material).or_insert_with(|| {
+        let rank = *ranks[material].get_or_insert_with(|| {
             used.push((material, 0));
             used.len() - 1
         });
         used[rank].1 += 1;
     }
-    triangles.sort_by_key(|triangle| ranks[&triangle.material]);
-    used
+    triangles.sort_by_key(|triangle| ranks[triangle.material]);
+    (used, ranks)
 }
 
 /// The unrounded tables that `contents` asks for.
@@ -482,7 +480,7 @@ fn exact(
             Vec::new()
         },
         texture_coordinates: if contents.texture_coordinates {
-            texture_coordinates::turned(&welded.textures)
+            welded.textures.iter().map(|&t| texture_coordinates::turned(t)).collect()
         } else {
             Vec::new()
         },

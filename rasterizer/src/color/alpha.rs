@@ -71,6 +71,22 @@ impl Alpha {
     }
 }
 
+impl Alpha {
+    /// Mixes four: two side by side, and the two below them, at a place between their centres. The
+    /// fractions of the way to the right and downwards have `bits` binary digits, 1 to 8. The
+    /// result is rounded to the nearest.
+    #[inline(always)]
+    pub(crate) const fn mixed(alphas: [Self; 4], [right, down]: [u32; 2], bits: u32) -> Self {
+        let [a, b, c, d] = alphas;
+        // At most 2^24.
+        let one = 1 << bits;
+        let upper = a.0 as u32 * (one - right) + b.0 as u32 * right;
+        let lower = c.0 as u32 * (one - right) + d.0 as u32 * right;
+        let sum = upper * (one - down) + lower * down;
+        Self(((sum + (1 << (2 * bits - 1))) >> (2 * bits)) as u16)
+    }
+}
+
 /// Opaque.
 impl Default for Alpha {
     fn default() -> Self {
@@ -81,6 +97,7 @@ impl Default for Alpha {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::random::Random;
 
     #[test]
     fn eight_bits_reach_both_ends() {
@@ -101,6 +118,22 @@ mod tests {
                 assert!((f64::from(got.to_bits()) - exact).abs() <= 0.5, "{a} {b}");
             }
         }
+    }
+
+    #[test]
+    fn mixtures_are_rounded_to_the_nearest() {
+        let mut random = Random::new(5);
+        for round in 0..100_000 {
+            let bits = 1 + round % 8;
+            let alphas: [u16; 4] = core::array::from_fn(|_| random.within(0, 256) as u16);
+            let fractions = [(); 2].map(|()| random.within(0, (1 << bits) - 1) as u32);
+            let [a, b, c, d] = alphas.map(f64::from);
+            let [right, down] = fractions.map(|f| f64::from(f) / f64::from(1 << bits));
+            let exact = (a + (b - a) * right) * (1.0 - down) + (c + (d - c) * right) * down;
+            let got = Alpha::mixed(alphas.map(Alpha::from_bits), fractions, bits);
+            assert!((f64::from(got.to_bits()) - exact).abs() <= 0.5, "{alphas:?} {fractions:?}");
+        }
+        assert_eq!(Alpha::mixed([Alpha::OPAQUE; 4], [77, 255], 8), Alpha::OPAQUE);
     }
 
     #[test]

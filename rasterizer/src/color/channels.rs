@@ -6,12 +6,13 @@ use embedded_graphics_core::pixelcolor::{
 };
 use fixed::types::U16F16;
 
+use super::Rgb332;
 use crate::{
     attribute::{Components, Interpolate, Varyings},
     output::Rgb565Be,
 };
 
-/// A colour that vertices carry channel by channel: all of embedded-graphics, and
+/// A colour that vertices carry channel by channel: all of embedded-graphics, [`Rgb332`] and
 /// [`Rgb565Be`].
 ///
 /// A varying of 16 bits counts in steps of the colour's own channel, whose digits are the upper
@@ -82,6 +83,7 @@ macro_rules! by_channels {
 }
 
 by_channels!(
+    Rgb332: [3, 3, 2],
     Rgb555: [5, 5, 5],
     Rgb565: [5, 6, 5],
     Rgb565Be: [5, 6, 5],

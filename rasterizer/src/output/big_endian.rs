@@ -8,7 +8,7 @@ use embedded_graphics_core::pixelcolor::{
 
 use super::{StoredColor, WordFill};
 use crate::{
-    color::{Alpha, Composite},
+    color::{Alpha, Composite, Dither, FullColor},
     texture::Mix,
 };
 
@@ -101,6 +101,14 @@ impl Composite for Rgb565Be {
     #[inline(always)]
     fn screen(self, stored: Self, alpha: Alpha) -> Self {
         Rgb565::from(self).screen(stored.into(), alpha).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Dither for Rgb565Be {
+    #[inline(always)]
+    fn dithered<const SIZE: usize>(color: impl FullColor, column: i32, row: i32) -> Self {
+        Rgb565::dithered::<SIZE>(color, column, row).into()
     }
 }
 

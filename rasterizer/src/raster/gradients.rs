@@ -36,6 +36,14 @@ impl<'v, V: Interpolate> Gradients<'v, V> {
         self.corners.map(|&varyings| varyings)
     }
 
+    /// Returns those of a part of the varyings: for a shader that adds its own to another's.
+    #[inline(always)]
+    #[must_use]
+    pub fn part<A>(&self, part: impl Fn(&'v V) -> &'v A) -> Gradients<'v, A> {
+        let Self { corners, places, area, subpixel_bits } = *self;
+        Gradients { corners: corners.map(part), places, area, subpixel_bits }
+    }
+
     /// Twice the area in square pixels, with 2 [`subpixel_bits`](Self::subpixel_bits) binary digits
     /// behind the point: negative if the corners run counter-clockwise on the screen.
     #[inline(always)]

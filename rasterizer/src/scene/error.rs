@@ -19,6 +19,11 @@ pub enum ProjectError {
         /// The number of words that they take.
         needed: usize,
     },
+    /// There are fewer words than the mesh has triangles to sort from back to front.
+    SortStorage {
+        /// The number of words that they take.
+        needed: usize,
+    },
     /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
     NoVertexNormals,
     /// The shader reads normals of triangles, and the mesh has none: convert the model with them.
@@ -48,6 +53,9 @@ impl core::fmt::Display for ProjectError {
             }
             Self::BinStorage { needed } => {
                 write!(f, "the bands need {needed} words for their triangles")
+            }
+            Self::SortStorage { needed } => {
+                write!(f, "sorting the triangles from back to front takes {needed} words")
             }
             Self::NoVertexNormals => {
                 f.write_str("the shader needs vertex normals, which the mesh was converted without")

@@ -7,8 +7,8 @@ use crate::{
     raster::Window,
 };
 
-/// The order of an object's triangles: [`MeshOrder`], or [`Bins`](super::Bins) that leave out those
-/// that miss a band.
+/// The order of an object's triangles: [`MeshOrder`], [`Bins`](super::Bins) that leave out those
+/// that miss a band, or [`BackToFront`](super::BackToFront).
 pub trait Order: Copy + Sequence {}
 
 mod private {

@@ -106,7 +106,7 @@ where
                 let Some(surface) = &surface else { return Ok(()) };
                 let triangle = Triangle::with_area(corners, area);
                 let face = MeshFace::new(seen.tables, index);
-                let blending = seen.mode.blending();
+                let blending = seen.mode.blending().of_material(&material);
                 match seen.shader.face(surface, &face, &Gradients::of(&triangle)) {
                     Face::Solid(color) => blending.fill(target, &triangle, &window, color),
                     Face::Shaded(face) => {

@@ -135,6 +135,20 @@ where
         });
     }
 
+    /// How far the middle of a triangle lies along the camera's axis, in an object's own units:
+    /// more is farther away.
+    pub(super) fn distance(&self, index: usize) -> i32 {
+        let corners = self.tables.triangles.get(index).unwrap_or_default();
+        let mut sum = [0; 3];
+        for corner in corners {
+            let position = self.tables.positions.get(corner).unwrap_or_default();
+            for (sum, c) in sum.iter_mut().zip(position) {
+                *sum += i32::from(c);
+            }
+        }
+        self.transform.distance::<CoordinateOf<V, Sh>>(sum)
+    }
+
     /// Visits those of the triangles that are seen and may reach `rows`, with their signed areas.
     // codegen: not inlined, because the loop needs its registers.
     #[inline(never)]

@@ -10,6 +10,8 @@
 //! expect.
 
 mod colored;
+mod dithered;
+mod faded;
 mod flat;
 mod fog;
 mod gouraud;
@@ -24,6 +26,8 @@ mod textured_flat;
 mod textured_gouraud;
 
 pub use colored::{Colored, ColoredGouraud};
+pub use dithered::{Dithered, DitheredFace, DitheredPixel};
+pub use faded::{Faded, FadedPixel};
 pub use flat::{Flat, Unlit};
 #[doc(hidden)]
 pub use fog::SeenFog;
@@ -38,7 +42,7 @@ pub use textured::Textured;
 pub use textured_flat::TexturedFlat;
 pub use textured_gouraud::TexturedGouraud;
 
-pub use crate::texture::Outcome;
+pub use crate::texture::{Layer, Outcome};
 use crate::{
     attribute::{Interpolate, Varyings},
     geometry::ObjectView,
@@ -92,7 +96,8 @@ pub trait Shader: Clone {
     type Surface;
     /// What is computed from a triangle before its pixels are drawn: `()` for most shaders.
     type Face: Default + Copy;
-    /// The result for a pixel: the colour, or an `Option` of it in a shader that discards pixels.
+    /// The result for a pixel: the colour, an `Option` of it in a shader that discards pixels, or a
+    /// [`Layer`] in one that gives each pixel an alpha.
     type Outcome: Outcome<Self::Color>;
 
     /// The mesh tables that the shader reads. Drawing a mesh without one of them is an error.
@@ -158,4 +163,10 @@ pub enum Face<C, F> {
     Solid(C),
     /// What its pixels are shaded with.
     Shaded(F),
+}
+
+impl<C, F: Default> Default for Face<C, F> {
+    fn default() -> Self {
+        Self::Shaded(F::default())
+    }
 }

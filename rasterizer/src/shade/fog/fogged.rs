@@ -17,7 +17,8 @@ use crate::{
 /// pixel's distance, in the values that are stored and rounded to the nearest.
 ///
 /// Fog reads 1 / w of its own, so that it needs no depth buffer. Discarded pixels stay discarded. A
-/// triangle that lies in full fog is filled with its colour, unless its shader can discard pixels.
+/// triangle that lies in full fog is filled with its colour, unless its shader can discard pixels or
+/// has pixels with an alpha, whose colour alone is in the fog.
 ///
 /// In a parallel projection all points have the near plane's 1 / w, and so its amount of fog.
 ///
@@ -117,7 +118,7 @@ where
         // What lies between the corners has no less fog than the least of theirs, and no more than
         // the largest.
         let is_even = a == b && b == c;
-        if is_even && a == Alpha::OPAQUE && !Sh::Outcome::DISCARDS {
+        if is_even && a == Alpha::OPAQUE && !Sh::Outcome::DISCARDS && !Sh::Outcome::HAS_ALPHA {
             return Face::Solid(self.color);
         }
         match self.shader.face(surface, face, &gradients.of_first()) {
