@@ -44,8 +44,8 @@ pub struct Face {
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
     /// are `shape`. `ranks` has the number of each material in the tables, `lines` the line of each
-    /// face, `vertices` the position of each vertex of the tables. It has no texture coordinates and
-    /// no colours of vertices.
+    /// face, `vertices` the position of each vertex of the tables. It has no texture coordinates
+    /// and no colours of vertices.
     pub(super) fn new(
         polygons: &Polygons,
         ranks: &[Option<usize>],

@@ -1,5 +1,5 @@
-//! Colours by themselves: put over one another, interpolated between vertices, dithered to few bits,
-//! and a format of one byte.
+//! Colours by themselves: put over one another, interpolated, dithered to few bits, and a format
+//! of one byte.
 //!
 //! # Colour types
 //!
