@@ -27,6 +27,7 @@ mod depth;
 mod filter;
 mod fixed;
 mod fog;
+mod matcap;
 mod object;
 mod placement;
 mod places;

@@ -17,6 +17,7 @@ use super::{
     any_mode::{AnyMode, InAnyMode},
     any_texture::AnyFilter,
     fixed::{self, Drawn},
+    matcap,
     places::FaceColors,
     skins::Skins,
     surface::Surface,
@@ -42,6 +43,8 @@ pub enum Shading {
     Colored,
     /// The colours of the vertices, lit there and interpolated.
     ColoredGouraud,
+    /// The picture of a ball of copper, looked up by the normal.
+    Matcap,
     /// The material's texture, without light.
     Textured,
     /// The texture, lit by the triangle's normal.
@@ -52,12 +55,13 @@ pub enum Shading {
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 8] = [
+    pub const NAMES: [(&'static str, Self); 9] = [
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
         ("unlit", Self::Unlit),
         ("colored", Self::Colored),
         ("colored-gouraud", Self::ColoredGouraud),
+        ("matcap", Self::Matcap),
         ("textured", Self::Textured),
         ("textured-flat", Self::TexturedFlat),
         ("textured-gouraud", Self::TexturedGouraud),
@@ -173,6 +177,7 @@ pub(super) fn draw<'a>(
                 |sample: Sample<3>| Some(sample.varyings),
             )
         }
+        Shading::Matcap => matcap::draw((model, surface, skins), view),
         Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
             draw_textured(model, surface, skins, view)
         }
@@ -191,6 +196,7 @@ fn draw_textured<'a>(
     let (core_light, light) = (View::light(), view.reference_light());
     let textures = skins.filtered(view.filter);
     let all = (model, surface, skins);
+    let texture_of = |material: usize| &skins.textures[material];
     let file_uv = |corner: Corner| {
         let all = &model.exact.faces.texture_coordinates;
         all.get(corner.vertex).copied().unwrap_or_default()
@@ -206,6 +212,7 @@ fn draw_textured<'a>(
             let normals = view.pose_points(&surface.triangle_normals(model));
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
@@ -225,6 +232,7 @@ fn draw_textured<'a>(
             let levels = corner_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |(seen, _)| Some(seen.value.uv()),
@@ -243,6 +251,7 @@ fn draw_textured<'a>(
                 .with_wide_coordinates();
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
