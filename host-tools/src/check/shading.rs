@@ -339,7 +339,7 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
         [low - NORMAL, high + NORMAL]
     };
     match view.shading {
-        Shading::Unlit | Shading::Colored | Shading::Textured => {
+        Shading::Unlit | Shading::Colored | Shading::Matcap | Shading::Textured => {
             vec![[1.0, 1.0]; faces.faces.len()]
         }
         Shading::Gouraud | Shading::ColoredGouraud | Shading::TexturedGouraud => {
