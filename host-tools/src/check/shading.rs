@@ -291,7 +291,9 @@ pub(super) fn colors(
     let levels = levels(model, surface, view);
     let faces = model.exact.faces.faces.iter();
     let bare = faces.zip(levels).map(|(face, levels)| {
-        if view.shading.is_textured() {
+        if view.shading == Shading::Matcap {
+            Some(matcap::colors())
+        } else if view.shading.is_textured() {
             skins.colors(face.material, levels)
         } else if view.shading.is_colored() {
             let corners = face.corners.clone().map(|corner| file_channels(model, corner));

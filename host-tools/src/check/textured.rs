@@ -42,9 +42,10 @@ pub(super) struct PlacedCorner {
     pub(super) light: f64,
 }
 
-/// Draws a textured model by the core. `texture_of` returns the texture of a material; `read` takes the texture coordinate in Q8.24 from what a
-/// pixel sees; `placed` returns a corner from its triangle and its stored varyings, and `exact` the
-/// coordinates and the light level of a corner of the file.
+/// Draws a textured model by the core. `texture_of` returns the texture of a material; `read` takes
+/// the texture coordinate in Q8.24 from what a pixel sees; `placed` returns a corner from its
+/// triangle and its stored varyings, and `exact` the coordinates and the light level of a corner of
+/// the file.
 pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     (model, surface, skins): (&'a Model, &'a Surface, &'a Skins),
     texture_of: impl Fn(usize) -> &'a Mipmaps + Copy + 'a,

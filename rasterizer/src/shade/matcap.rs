@@ -16,8 +16,8 @@ use crate::{
 };
 
 /// A texture looked up by the normal in camera space (a *matcap*, or lit sphere: Sloan, Martin,
-/// Gooch and Gooch, *The Lit Sphere*, Graphics Interface 2001): light, highlights and reflections of
-/// any kind for the price of a texture, as long as they turn with the camera.
+/// Gooch and Gooch, *The Lit Sphere*, Graphics Interface 2001): light, highlights and reflections
+/// of any kind for the price of a texture, as long as they turn with the camera.
 ///
 /// The texture is a picture of a ball of the material, whose outline touches the borders. Where the
 /// unit normal has the part x to the camera's right and y upwards, the coordinates are u = 1/2 +
@@ -30,11 +30,11 @@ use crate::{
 ///
 /// # Error
 ///
-/// At a vertex a coordinate is within 2<sup>-14</sup> of what the normal in the table gives. Between
-/// vertices, coordinates are interpolated like those of other textures, and not the length of the
-/// normal: where two normals of an edge are at the angle θ, its middle is up to (1 - cos θ/2) / 2 of
-/// the texture closer to the middle of the ball than a normalised one. For 30 degrees that is 1.7 %,
-/// a texel of 59.
+/// At a vertex a coordinate is within 2<sup>-14</sup> of what the normal in the table gives.
+/// Between vertices, coordinates are interpolated like those of other textures, and not the length
+/// of the normal: where two normals of an edge are at the angle θ, its middle is up to (1 - cos
+/// θ/2) / 2 of the texture closer to the middle of the ball than a normalised one. For 30 degrees
+/// that is 1.7 %, a texel of 59.
 #[derive(Clone, Copy, Debug)]
 pub struct Matcap<'a, S, F = Nearest, M = Affine> {
     skin: Skin<'a, S, F, M, i16>,

@@ -10,8 +10,8 @@ use crate::{
 };
 
 /// Any shader on materials of another colour, which an object can have at run time: that of a team,
-/// of a light that is on, of what is chosen. It is computed once for each material that is drawn, and
-/// costs no pixel anything.
+/// of a light that is on, of what is chosen. It is computed once for each material that is drawn,
+/// and costs no pixel anything.
 ///
 /// A shader that shows textures or colours of vertices has only its bare materials recoloured.
 ///

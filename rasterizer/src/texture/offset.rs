@@ -4,17 +4,17 @@ use fixed::types::I8F24;
 
 use super::{Levels, Mipmapped, Place, Quad, TexelMap, Wrap};
 
-/// A texture whose coordinates have an offset that is known at run time: a scrolling one, or another
-/// part of an atlas. Tables stay as they are, and a scene without one has no code for it; it takes a
-/// pixel one addition, or two if its coordinates do not fit one word
+/// A texture whose coordinates have an offset that is known at run time: a scrolling one, or
+/// another part of an atlas. Tables stay as they are, and a scene without one has no code for it;
+/// it takes a pixel one addition, or two if its coordinates do not fit one word
 /// ([`Coordinates`](super::Coordinates)).
 ///
-/// An offset of u and v is in repeats: the texel that is seen at (u, v) is that of (u + offset of u,
-/// v + offset of v). So a positive offset moves the picture to the left and upwards.
+/// An offset of u and v is in repeats: the texel that is seen at (u, v) is that of (u + offset of
+/// u, v + offset of v). So a positive offset moves the picture to the left and upwards.
 ///
 /// Repeated and mirrored axes take any offset, exactly modulo 256 repeats, so that one that runs on
-/// and on may wrap. Along an axis that is clamped the offset must be between -63 and 63: coordinates
-/// are at most 64 from 0, and both together stay below 128.
+/// and on may wrap. Along an axis that is clamped the offset must be between -63 and 63:
+/// coordinates are at most 64 from 0, and both together stay below 128.
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::Gray8;
