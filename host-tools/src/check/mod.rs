@@ -28,6 +28,7 @@ mod filter;
 mod fixed;
 mod fog;
 mod lights;
+mod matcap;
 mod normals;
 mod object;
 mod placement;

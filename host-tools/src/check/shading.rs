@@ -18,6 +18,7 @@ use super::{
     any_texture::AnyFilter,
     fixed::{self, Drawn},
     lights::total,
+    matcap,
     places::FaceColors,
     quantised_positions,
     shiny::{self, Definition},
@@ -51,6 +52,8 @@ pub enum Shading {
     Colored,
     /// The colours of the vertices, lit there and interpolated.
     ColoredGouraud,
+    /// The picture of a ball of copper, looked up by the normal.
+    Matcap,
     /// The material's texture, without light.
     Textured,
     /// The texture, lit by the triangle's normal.
@@ -61,7 +64,7 @@ pub enum Shading {
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 11] = [
+    pub const NAMES: [(&'static str, Self); 12] = [
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
         ("unlit", Self::Unlit),
@@ -70,6 +73,7 @@ impl Shading {
         ("phong-near", Self::PhongNear),
         ("colored", Self::Colored),
         ("colored-gouraud", Self::ColoredGouraud),
+        ("matcap", Self::Matcap),
         ("textured", Self::Textured),
         ("textured-flat", Self::TexturedFlat),
         ("textured-gouraud", Self::TexturedGouraud),
@@ -242,6 +246,7 @@ fn draw_lit<'a, L: Lighting>(
                 |sample: Sample<3>| Some(sample.varyings),
             )
         }
+        Shading::Matcap => matcap::draw((model, surface, skins), view),
         Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
             draw_textured(model, surface, skins, view, core_lights)
         }
@@ -296,6 +301,7 @@ fn draw_textured<'a, L: Lighting>(
 ) -> Result<Drawn<'a>, ViewError> {
     let textures = skins.filtered(view.filter);
     let all = (model, surface, skins);
+    let texture_of = |material: usize| &skins.textures[material];
     let file_uv = |corner: Corner| {
         let all = &model.exact.faces.texture_coordinates;
         all.get(corner.vertex).copied().unwrap_or_default()
@@ -310,6 +316,7 @@ fn draw_textured<'a, L: Lighting>(
             let (levels, file_levels) = flat_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
@@ -326,6 +333,7 @@ fn draw_textured<'a, L: Lighting>(
             let levels = corner_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |(seen, _)| Some(seen.value.uv()),
@@ -344,6 +352,7 @@ fn draw_textured<'a, L: Lighting>(
                 .with_wide_coordinates();
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
@@ -387,6 +396,8 @@ pub(super) fn colors(
         if view.shading.is_shiny() {
             let range = [[0.0; 3], brightest[face.material]];
             Some(FaceColors { range, levels: [0.0, 1.0] })
+        } else if view.shading == Shading::Matcap {
+            Some(matcap::colors())
         } else if view.shading.is_textured() {
             skins.colors(face.material, levels)
         } else if view.shading.is_colored() {
@@ -437,7 +448,7 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
         [low - normal, high + normal]
     };
     match view.shading {
-        Shading::Unlit | Shading::Colored | Shading::Textured => {
+        Shading::Unlit | Shading::Colored | Shading::Matcap | Shading::Textured => {
             vec![[1.0, 1.0]; faces.faces.len()]
         }
         // Where its middle lies, depends on how a face is cut.

@@ -6,6 +6,7 @@ use std::fs;
 mod colored;
 mod filter;
 mod fog;
+mod matcap;
 mod shiny;
 mod textured;
 

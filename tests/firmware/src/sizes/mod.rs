@@ -9,6 +9,7 @@
 //! checksum, and how far down the stack has reached.
 
 mod display;
+mod fog;
 mod frames;
 pub mod scenes;
 mod textured;
