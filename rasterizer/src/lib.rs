@@ -153,7 +153,9 @@
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), or [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes |
 //! | new and stored colours | [`Object::blended`](scene::Object::blended) | [`Replace`](output::Replace), [`Blend`](output::Blend) by a function of both |
-//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), or [your own](shade::Shader) |
+//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
+//! | fog | a shader around another one | [`Fogged`](shade::Fogged), [`AtPixels`](shade::AtPixels) or [`AtVertices`](shade::AtVertices) |
+//! | an object's own colour, or place of a texture | a shader around another one, a texture around another one | [`Recolored`](shade::Recolored), [`Offset`](texture::Offset) |
 //! | texels | the texture's type | [formats](texture), sizes, and borders: [`Repeat`](texture::Repeat), [`Mirror`](texture::Mirror), [`Clamp`](texture::Clamp) |
 //! | texels of a pixel | the shader's filter | [`Nearest`](texture::Nearest), [`Bilinear`](texture::Bilinear), [`NearestMip`](texture::NearestMip), [`BilinearMip`](texture::BilinearMip), [`Trilinear`](texture::Trilinear) |
 //! | perspective of texture coordinates | the shader's mode, by `corrected` | [`Affine`](attribute::Affine), [`Every`](attribute::Every), [`Adaptive`](attribute::Adaptive), [`EveryPixel`](attribute::EveryPixel); of any varying by [`PerspectiveCorrect`](attribute::PerspectiveCorrect) |
@@ -214,7 +216,7 @@
 //!
 //! # Not supported
 //!
-//! * Fog and antialiasing; lines and points.
+//! * Antialiasing; lines and points.
 //! * Alpha that is blended: a texel is opaque or transparent. Textures over 1,024 texels wide or
 //!   high, and anisotropic filters.
 //! * Sorting from back to front. Objects that are blended or drawn without depth are drawn in the

@@ -42,12 +42,19 @@ examples! {
     dma_stream = "../examples/dma_stream.rs",
     filters = "../examples/filters.rs",
     flat = "../examples/flat.rs",
+    fog = "../examples/fog.rs",
     gouraud = "../examples/gouraud.rs",
+    highlights = "../examples/highlights.rs",
+    lamp = "../examples/lamp.rs",
+    lights = "../examples/lights.rs",
     lit_texture = "../examples/lit_texture.rs",
+    matcap = "../examples/matcap.rs",
+    materials = "../examples/materials.rs",
     needs = "../examples/needs.rs",
     oled = "../examples/oled.rs",
     own_output = "../examples/own_output.rs",
     own_shader = "../examples/own_shader.rs",
+    per_object = "../examples/per_object.rs",
     perspective_modes = "../examples/perspective_modes.rs",
     projections = "../examples/projections.rs",
     several_objects = "../examples/several_objects.rs",
@@ -55,6 +62,7 @@ examples! {
     texture_borders = "../examples/texture_borders.rs",
     textured = "../examples/textured.rs",
     unlit = "../examples/unlit.rs",
+    vertex_colors = "../examples/vertex_colors.rs",
 }
 
 /// With this variable set, pictures are renewed before they are compared.

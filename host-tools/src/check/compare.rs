@@ -1,6 +1,6 @@
 //! Differences, in numbers.
 
-use super::{DisplayOutcome, FixedPicture, Places, Texels};
+use super::{DisplayOutcome, FixedPicture, NormalErrors, Places, Texels};
 use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
@@ -34,6 +34,9 @@ pub struct Comparison {
     /// Of the texture coordinates, on the core's own vertices; `None` without a texture.
     #[cfg_attr(feature = "cli", serde(flatten))]
     pub texels: Option<Texels>,
+    /// Of the normals of pixels, on the core's own vertices; `None` without light at pixels.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub normals: Option<NormalErrors>,
     /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
     /// How long the reference takes on this machine, in milliseconds.
@@ -121,12 +124,13 @@ impl Vertices {
 }
 
 impl Comparison {
-    /// Whether the picture keeps the bounds, and each vertex and each texture coordinate its own.
+    /// Whether the picture keeps the bounds, and each vertex, coordinate and normal its own.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.deviation.is_within(bounds)
             && self.vertices.are_within()
             && self.texels.is_none_or(|texels| texels.are_within())
+            && self.normals.is_none_or(|normals| normals.are_within())
     }
 }
 

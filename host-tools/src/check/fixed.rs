@@ -17,7 +17,7 @@ use rasterizer::{
 };
 
 use super::{
-    DefinedDepth, DepthFormat, Texels,
+    DefinedDepth, DepthFormat, NormalErrors, Texels,
     fog::{self, AnyFog, SeenPicture},
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
@@ -43,8 +43,8 @@ pub(super) struct Drawn<'a> {
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
 
-/// The reference on the core's own vertices, and how far texture coordinates are off it.
-pub(super) type Arithmetic = (Picture, Option<Texels>);
+/// The reference on the core's own vertices, and how far texture coordinates and normals are off.
+pub(super) type Arithmetic = (Picture, Option<Texels>, Option<NormalErrors>);
 
 /// Draws a model by the core.
 ///
@@ -69,7 +69,7 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888, Outcome = Rgb8
             Some(fog) => fog.over(&bare, |pixel| fixed.color(pixel)),
             None => bare,
         };
-        (picture, None)
+        (picture, None, None)
     };
     Ok(Drawn {
         picture,

@@ -28,11 +28,15 @@ mod display;
 mod filter;
 mod fixed;
 mod fog;
+mod lights;
+mod matcap;
+mod normals;
 mod object;
 mod placement;
 mod places;
 mod probe;
 mod shading;
+mod shiny;
 mod skins;
 mod surface;
 #[cfg(test)]
@@ -49,6 +53,8 @@ pub use depth::{DefinedDepth, DepthFormat};
 pub use display::{Colors, Display, DisplayOutcome, Matrix};
 pub use filter::{Filter, Precision, Right, Seen};
 pub use fog::{Fog, FogBy};
+pub use lights::{Lamp, MOST_LIGHTS, Sun, ViewLights};
+pub use normals::NormalErrors;
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use shading::Shading;
@@ -133,7 +139,8 @@ impl<'a> Checker<'a> {
     /// those that each face may have; `None` for one with holes.
     fn compare(&self, view: &View, drawn: Drawn<'_>, colors: &[Option<FaceColors>]) -> Checked {
         let Self { model, surface, .. } = self;
-        let ((arithmetic, texels), arithmetic_time) = timed(|| (drawn.arithmetic)(&drawn.picture));
+        let ((arithmetic, texels, normals), arithmetic_time) =
+            timed(|| (drawn.arithmetic)(&drawn.picture));
         let (end_to_end, end_to_end_time) = timed(drawn.end_to_end);
 
         let (fixed, depth) = (drawn.picture, view.depth.definition());
@@ -145,10 +152,11 @@ impl<'a> Checker<'a> {
                 (placement.place(p), bound(p))
             })
         };
-        let comparison = |reference, vertices, texels, time| Comparison {
+        let comparison = |reference, vertices, (texels, normals), time| Comparison {
             deviation: compare::compare(&fixed, reference, depth),
             vertices,
             texels,
+            normals,
             fixed_ms: milliseconds(drawn.time),
             reference_ms: milliseconds(time),
         };
@@ -167,8 +175,8 @@ impl<'a> Checker<'a> {
         };
         let (places, wrong) = judge.judge(&fixed);
         let outcome = Outcome {
-            arithmetic: comparison(&arithmetic, quantised, texels, arithmetic_time),
-            end_to_end: comparison(&end_to_end, exact, None, end_to_end_time),
+            arithmetic: comparison(&arithmetic, quantised, (texels, normals), arithmetic_time),
+            end_to_end: comparison(&end_to_end, exact, (None, None), end_to_end_time),
             places,
             display: None,
         };

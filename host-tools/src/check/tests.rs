@@ -7,6 +7,8 @@ mod colored;
 mod display;
 mod filter;
 mod fog;
+mod matcap;
+mod shiny;
 mod textured;
 
 use super::*;
@@ -91,6 +93,7 @@ const FRONT: View = View {
     filter: Filter::Nearest,
     display: None,
     fog: None,
+    lights: ViewLights::OVER_THE_SHOULDER,
 };
 
 #[track_caller]

@@ -31,13 +31,17 @@ Examples:
   host-tools check model.obj --json | jq .arithmetic
   host-tools check model.obj --filter trilinear --perspective every-16
   host-tools check model.obj --shading flat --colors binary --dither 8
+  host-tools check model.obj --shading phong --light 1,2,2,0.5 --lamp 0,0.5,1.5,1
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
                 against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic. Of a texture,
                 each coordinate against the exact one, in texels: within 1/16 texel or 1/256 pixel,
                 and what the steps of --perspective add. Close to the border of a texel, either
-                texel is right; elsewhere one is.
+                texel is right; elsewhere one is. With light at pixels, each normal against the
+                exact one: within half a degree; and the colour against that of the pixel's normal,
+                where a highlight may be off by what a cosine of 15 bits leaves of its power,
+                (1 + Ns / 32) / 256 of the light.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
@@ -133,6 +137,7 @@ struct Json {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let (path, frames) = (&arguments.model, arguments.view.frames);
+    arguments.view.check()?;
     if let Some(directory) = &arguments.pictures {
         allow_directory(directory)?;
     }

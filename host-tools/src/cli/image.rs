@@ -210,6 +210,7 @@ mod tests {
             },
             vertices: Vertices::default(),
             texels: None,
+            normals: None,
             fixed_ms: 0.0,
             reference_ms: 0.0,
         };

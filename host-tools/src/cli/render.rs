@@ -27,6 +27,7 @@ Examples:
   host-tools render model.obj --shading flat --rgb565
   host-tools render model.obj --colors binary --dither 8 --size 128x64
   host-tools render model.obj --filter bilinear --texture-size 64x64
+  host-tools render model.obj --shading phong --light=-1,2,3,0.6 --lamp 1,0,1,0.5
   host-tools render model.obj --fog linear:2:4       The background hides what is far away
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
@@ -85,6 +86,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         output::allow(&path, output::PNG, overwriting)?;
     }
     let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
+    arguments.view.check()?;
     let (mut view, frames) = (arguments.view.view(Shading::of(&model)), arguments.view.frames);
     // Fog hides what it covers.
     view.fog = view.fog.map(|fog| Fog { color: background, ..fog });

@@ -64,6 +64,12 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
         let most = format!("{:.4}", texels.texel_max_error);
         text += &line("Texel error at most, texels", [&most, &bound, "", ""]);
     }
+    if let Some(normals) = arithmetic.normals {
+        let verdict = if normals.are_within() { "ok" } else { "FAIL" };
+        let bound = format!("{} {verdict}", normals.normal_bound_degrees);
+        let most = format!("{:.4}", normals.normal_max_error_degrees);
+        text += &line("Normal error at most, degrees", [&most, &bound, "", ""]);
+    }
     let judged = thousands(places.judged);
     text += &line("Pixels judged by their place", ["", "", &judged, ""]);
     let wrong = bound(places.wrong as f64, 0.0);
@@ -115,6 +121,14 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
             );
         }
         text += &format!("\n  The bound of a texture coordinate: {}.", texels.texel_bound);
+    }
+    if let Some(normals) = arithmetic.normals {
+        if let Some([x, y]) = normals.normal_worst.filter(|_| !normals.are_within()) {
+            let degrees = normals.normal_max_error_degrees;
+            text += &format!("\n  Column {x} of row {y}: its normal is {degrees:.3} degrees off.");
+        }
+        text += "\n  The bound of a normal: half a degree, where it is at least half as long as \
+                 those of the corners. The colour is judged by the pixel's own normal.";
     }
     let Deviation { pixels, coverage_mismatches, .. } = end_to_end.deviation;
     let share = 100.0 * coverage_mismatches as f64 / pixels.max(1) as f64;
@@ -202,6 +216,7 @@ mod tests {
             deviation,
             vertices: vertices(0.001),
             texels: None,
+            normals: None,
             fixed_ms: 1.0,
             reference_ms: 2.0,
         };

@@ -127,6 +127,7 @@ fn a_coordinate_that_is_off_is_found_with_its_pixel() {
             .with_wide_coordinates();
         let drawn = textured::draw(
             (&model, &checker.surface, &checker.skins),
+            |material| &checker.skins.textures[material],
             &view,
             &shader,
             // 1/128 of 64 texels is half a texel.

@@ -1,6 +1,7 @@
 //! The bench scenes of light, colour, blending and fog.
 
 mod color;
+mod fog;
 
 use rasterizer::{
     camera::Camera,
@@ -27,6 +28,7 @@ pub fn main<const SET_UP: bool>() {
         let mut scenes = Scenes::<SET_UP> { bench: Bench(memory), camera: view("400", "2.4") };
         scenes.base();
         scenes.colors();
+        scenes.fog();
     });
 }
 

@@ -10,6 +10,7 @@
 
 mod color;
 mod display;
+mod fog;
 mod frames;
 pub mod scenes;
 mod textured;
