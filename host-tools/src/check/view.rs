@@ -233,7 +233,7 @@ impl View {
 
     /// The distance of a pixel in the reference from its depth. In a parallel projection fog sees
     /// all of them at the near plane.
-    pub(super) fn fog_distance(&self, depth: f64) -> f64 {
+    pub(super) const fn fog_distance(&self, depth: f64) -> f64 {
         match self.projection {
             Projection::Perspective { .. } => self.near / depth,
             Projection::Orthographic { .. } => self.near,
