@@ -1,6 +1,6 @@
 //! Differences, in numbers.
 
-use super::{FixedPicture, NormalErrors, Places, Texels};
+use super::{DisplayOutcome, FixedPicture, NormalErrors, Places, Texels};
 use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
@@ -75,6 +75,9 @@ pub struct Outcome {
     pub end_to_end: Comparison,
     /// Against the same, pixel by pixel, where vertices cannot be the cause.
     pub places: Places,
+    /// What a display shows of it; `None` without one.
+    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
+    pub display: Option<DisplayOutcome>,
 }
 
 /// How far the arithmetic may be off. The bounds follow from the number formats and hold for every
@@ -132,13 +135,14 @@ impl Comparison {
 }
 
 impl Outcome {
-    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, and no
-    /// pixel is wrong by its place.
+    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, no
+    /// pixel is wrong by its place, and a display shows the right steps.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.arithmetic.is_within(bounds)
             && self.end_to_end.vertices.are_within()
             && self.places.wrong == 0
+            && self.display.is_none_or(|display| display.is_within())
     }
 
     /// Whether one of the pictures covers a pixel.

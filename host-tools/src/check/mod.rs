@@ -24,6 +24,7 @@ mod compare;
 mod coordinates;
 mod correction;
 mod depth;
+mod display;
 mod filter;
 mod fixed;
 mod fog;
@@ -49,6 +50,7 @@ pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome, VertexErro
 pub use coordinates::{ExactCoordinate, TexelError, Texels};
 pub use correction::Correction;
 pub use depth::{DefinedDepth, DepthFormat};
+pub use display::{Colors, Display, DisplayOutcome, Matrix};
 pub use filter::{Filter, Precision, Right, Seen};
 pub use fog::{Fog, FogBy};
 pub use lights::{Lamp, MOST_LIGHTS, Sun, ViewLights};
@@ -176,8 +178,12 @@ impl<'a> Checker<'a> {
             arithmetic: comparison(&arithmetic, quantised, (texels, normals), arithmetic_time),
             end_to_end: comparison(&end_to_end, exact, (None, None), end_to_end_time),
             places,
+            display: None,
         };
-        Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth }
+        let mut checked =
+            Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth };
+        checked.outcome.display = view.display.map(|display| display::judge(display, &checked));
+        checked
     }
 }
 

@@ -4,6 +4,7 @@
 use std::fs;
 
 mod colored;
+mod display;
 mod filter;
 mod fog;
 mod matcap;
@@ -90,6 +91,7 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    display: None,
     fog: None,
     lights: ViewLights::OVER_THE_SHOULDER,
 };

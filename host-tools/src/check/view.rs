@@ -13,7 +13,7 @@ use rasterizer::{
     shade,
 };
 
-use super::{Correction, DepthFormat, Filter, Fog, Shading, ViewLights};
+use super::{Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -81,6 +81,8 @@ pub struct View {
     pub perspective: Correction,
     /// How a colour is taken from a texture.
     pub filter: Filter,
+    /// The display that shows the picture; `None` for one with all of its colours.
+    pub display: Option<Display>,
     /// What lights the model.
     pub lights: ViewLights,
     /// What colours fade into with the distance.
@@ -104,6 +106,7 @@ impl Default for View {
             shading: Shading::default(),
             perspective: Correction::default(),
             filter: Filter::default(),
+            display: None,
             lights: ViewLights::default(),
             fog: None,
         }

@@ -10,7 +10,7 @@ use super::image::Legend;
 /// Both comparisons side by side, with the bounds and whether they are kept.
 pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     type Figure = fn(&Comparison) -> String;
-    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let Outcome { arithmetic, end_to_end, places, display } = outcome;
     let found = &arithmetic.deviation;
     let bound =
         |found: f64, bound: f64| format!("{bound} {}", if found <= bound { "ok" } else { "FAIL" });
@@ -74,12 +74,24 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     text += &line("Pixels judged by their place", ["", "", &judged, ""]);
     let wrong = bound(places.wrong as f64, 0.0);
     text += &line("Wrong pixels among these", ["", "", &thousands(places.wrong), &wrong]);
+    if let Some(display) = display {
+        let steps = bound(display.wrong_steps as f64, 0.0);
+        let colors = bound(display.wrong_colors as f64, 0.0);
+        let wrong = [display.wrong_steps, display.wrong_colors].map(thousands);
+        text += &line("Wrong steps of the display", [&wrong[0], &steps, "", ""]);
+        text += &line("Wrong colours of the display", [&wrong[1], &colors, "", ""]);
+        if let Some(most) = display.block_bound.filter(|_| display.even_blocks > 0) {
+            let error = format!("{:.5}", display.block_max_error);
+            let bound = bound(display.block_max_error, most);
+            text += &line("Mean of even 8x8 squares, of 1", [&error, &bound, "", ""]);
+        }
+    }
     text
 }
 
 /// The comparisons in words.
 pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> String {
-    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let Outcome { arithmetic, end_to_end, places, display } = outcome;
     let mut text = if arithmetic.is_within(bounds) {
         "Arithmetic: within bounds. The core draws its own vertices as exact arithmetic does."
             .to_owned()
@@ -134,6 +146,12 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
     if let Some(worst) = end_to_end.vertices.out_of_bounds() {
         text += vertex(worst, " in the file").trim_start_matches('\n');
         text += "\n";
+    }
+    if let Some([x, y]) = display.and_then(|display| display.first) {
+        text += &format!(
+            "The display: OUT OF BOUNDS. The first pixel with a wrong step is column {x} of row {y}. \
+             Please report it with the model.\n"
+        );
     }
     if let Some(first) = places.first {
         text += &format!("  {} wrong pixels. {}\n", thousands(places.wrong), place(model, first));
@@ -209,6 +227,7 @@ mod tests {
                 ..comparison
             },
             places: Places { judged: 54_321, wrong: 0, first: None },
+            display: None,
         }
     }
 

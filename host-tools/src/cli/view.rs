@@ -6,8 +6,8 @@ use clap::{
 };
 use host_tools::{
     check::{
-        Correction, DepthFormat, Filter, Fog, FogBy, Lamp, MOST_LIGHTS, Projection, Shading,
-        Subpixel, Sun, View, ViewLights,
+        Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Lamp, MOST_LIGHTS, Matrix,
+        Projection, Shading, Subpixel, Sun, View, ViewLights,
     },
     model::{Model, Options},
     reference,
@@ -64,6 +64,12 @@ pub(super) struct ViewOptions {
         value_parser = choice(&Filter::NAMES)
     )]
     filter: Filter,
+    /// The colours of the display, which shows the nearest of them
+    #[arg(long, value_name = "FORMAT", value_parser = choice(&Colors::NAMES))]
+    colors: Option<Colors>,
+    /// Dither to them instead, by a matrix of this many rows
+    #[arg(long, value_name = "ROWS", requires = "colors", value_parser = choice(&Matrix::NAMES))]
+    dither: Option<Matrix>,
     /// Fog by the distance from the camera's plane: none up to START and all from END on, or e to
     /// the -DENSITY a unit
     #[arg(long, value_name = "linear:START:END|exp:DENSITY", value_parser = fog)]
@@ -200,6 +206,9 @@ impl ViewOptions {
             shading: self.shading.unwrap_or(otherwise),
             perspective: self.perspective,
             filter: self.filter,
+            display: self
+                .colors
+                .map(|colors| Display { colors, dither: self.dither.unwrap_or_default() }),
             lights: self.lights(),
             fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: image::BACKGROUND }),
         }
@@ -248,6 +257,10 @@ pub(super) struct Settings {
     lights: Vec<[f64; 4]>,
     lamps: Vec<[f64; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    colors: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dither: Option<u32>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     fog: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fog_by: Option<&'static str>,
@@ -279,6 +292,8 @@ impl Settings {
             shading: name(&Shading::NAMES, view.shading),
             perspective: name(&Correction::NAMES, view.perspective),
             filter: name(&Filter::NAMES, view.filter),
+            colors: view.display.map(|display| name(&Colors::NAMES, display.colors)),
+            dither: view.display.and_then(|display| display.dither.rows()),
             lights: (view.lights.suns.iter().flatten())
                 .map(|&Sun { toward: [x, y, z], level }| [x, y, z, level])
                 .collect(),
@@ -311,8 +326,12 @@ impl Settings {
             (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
             _ => String::new(),
         };
+        let dither =
+            self.dither.map_or_else(String::new, |rows| format!(" dithered {rows}x{rows}"));
+        let colors =
+            self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -439,7 +458,7 @@ mod tests {
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
                     every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
-                    --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5";
+                    --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --colors gray2 --dither 4";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
             size: [7, 9],
@@ -455,6 +474,7 @@ mod tests {
             shading: Shading::Flat,
             perspective: Correction::Every16,
             filter: Filter::Trilinear,
+            display: Some(Display { colors: Colors::Gray2, dither: Matrix::Four }),
             lights: ViewLights {
                 suns: [
                     Some(Sun { toward: [-1.0, 2.0, 3.0], level: 0.8 }),
@@ -495,6 +515,8 @@ mod tests {
             ("--lamp", &["1,2,3", "1,2,3,0", "1,2,3,-1", "1,2,inf,1", ""]),
             ("--perspective", &["every-5", "every", ""]),
             ("--filter", &["linear", "Nearest"]),
+            ("--colors", &["rgb", "", "1"]),
+            ("--dither", &["2", "", "bayer"]),
             (
                 "--fog",
                 &[
@@ -517,5 +539,6 @@ mod tests {
             }
         }
         assert!(parse(&["--fov=30", "--orthographic=2"]).is_err());
+        assert!(parse(&["--dither=8"]).is_err(), "colours to dither to are missing");
     }
 }

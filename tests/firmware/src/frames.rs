@@ -1,5 +1,7 @@
 //! Frames and their hashes.
 
+mod colors;
+
 use core::convert::Infallible;
 
 use embedded_graphics_core::{
@@ -76,6 +78,7 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     flat(memory, light);
     floating_depth(&knot, memory);
     textured(memory, light);
+    colors::dithered(memory, light);
     fog(memory, light);
 }
 

@@ -255,7 +255,7 @@ mod tests {
                 for (row, pixels) in pixels.chunks_exact(SIDE as usize).enumerate() {
                     let below = row as f64 + 0.5 - f64::from(SIDE / 2);
                     let distance = f64::from(SIDE / 2) / below;
-                    if below < 0.0 || distance < near.parse().unwrap() || distance > 50.0 {
+                    if below < 0.0 || distance < near.parse::<f64>().unwrap() || distance > 50.0 {
                         assert!(pixels.iter().all(|&pixel| pixel == 1), "row {row}");
                         continue;
                     }
