@@ -1,6 +1,6 @@
 //! Differences, in numbers.
 
-use super::{FixedPicture, Places, Texels};
+use super::{Blended, FixedPicture, Places, Texels};
 use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
@@ -34,6 +34,9 @@ pub struct Comparison {
     /// Of the texture coordinates, on the core's own vertices; `None` without a texture.
     #[cfg_attr(feature = "cli", serde(flatten))]
     pub texels: Option<Texels>,
+    /// Of the blended layers, on the core's own vertices; `None` without blending.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub blend: Option<Blended>,
     /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
     /// How long the reference takes on this machine, in milliseconds.
@@ -118,12 +121,14 @@ impl Vertices {
 }
 
 impl Comparison {
-    /// Whether the picture keeps the bounds, and each vertex and each texture coordinate its own.
+    /// Whether the picture keeps the bounds, and each vertex, each texture coordinate and each
+    /// blended colour its own.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.deviation.is_within(bounds)
             && self.vertices.are_within()
             && self.texels.is_none_or(|texels| texels.are_within())
+            && self.blend.is_none_or(|blend| blend.is_within(bounds.color_max_error))
     }
 }
 

@@ -1,7 +1,10 @@
 //! The fixed-point picture of a model in a view, by the same tables and the same calls as on a
 //! microcontroller.
 
-use std::time::{Duration, Instant};
+use std::{
+    cell::RefCell,
+    time::{Duration, Instant},
+};
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
@@ -9,20 +12,21 @@ use rasterizer::{
     camera::Camera,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
-    output::StoredColor,
+    output::{KeepDepth, MaterialOpacity, StoredColor},
     scene::Object,
     shade::{OnScreen, Shader},
 };
 
 use super::{
-    DefinedDepth, DepthFormat, Texels,
+    Blending, DefinedDepth, DepthFormat, Texels,
+    blending::{self, Layers, Recorder},
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
     view::{Projection, Subpixel, View, ViewError},
 };
 use crate::{
     model::Model,
-    reference::{self, Corner, Picture, Sample, ScreenTriangle},
+    reference::{self, Blend, Corner, Picture, Sample, ScreenTriangle},
 };
 
 /// A frame by the core, and how the reference draws it.
@@ -33,6 +37,8 @@ pub(super) struct Drawn<'a> {
     pub(super) vertices: Vec<Option<[f64; 2]>>,
     /// How long the core takes for vertices and triangles.
     pub(super) time: Duration,
+    /// The model blended with itself, if the view blends.
+    pub(super) blended: Option<Layers>,
     /// Draws the reference on the core's own vertices, with depth from 0 to 1, and judges texture
     /// coordinates. It is given the core's picture, because some pixels have several right colours.
     pub(super) arithmetic: Box<dyn FnOnce(&FixedPicture) -> Arithmetic + 'a>,
@@ -57,12 +63,14 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
     exact: impl Fn(Corner) -> [f64; N] + 'a,
     shade_exact: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Placed { picture, triangles, vertices, time, .. } = place(model, view, shader, placed)?;
+    let Placed { picture, triangles, vertices, time, blended, .. } =
+        place(model, view, shader, placed)?;
     let size = view.size.map(|c| c as usize).into();
     Ok(Drawn {
         picture,
         vertices,
         time,
+        blended,
         arithmetic: Box::new(move |_| (reference::draw_screen(&triangles, size, shade), None)),
         end_to_end: end_to_end((model, surface), view, exact, shade_exact),
     })
@@ -91,6 +99,7 @@ pub(super) struct Placed<const N: usize, C> {
     pub(super) time: Duration,
     /// The colours of the picture, row by row.
     pub(super) colors: Vec<C>,
+    pub(super) blended: Option<Layers>,
 }
 
 /// Draws a model by the core. `placed` returns the reference's varyings of a corner.
@@ -176,5 +185,36 @@ where
         vertices,
         time: projecting + drawn.time,
         colors: drawn.color,
+        blended: match view.blending {
+            Blending::Replace => None,
+            Blending::By(blend) => Some(blended(&object, (view, blend), camera, &mut storage)?),
+        },
     })
+}
+
+/// Draws a model blended with itself, from back to front, and keeps its layers.
+fn blended<S, D, P, Sh>(
+    object: &Object<'_, Sh>,
+    (view, blend): (&View, Blend),
+    camera: &Camera<P>,
+    storage: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+) -> Result<Layers, ViewError>
+where
+    S: numbers::Subpixel,
+    D: DefinedDepth,
+    P: geometry::Projection,
+    Sh: Shader<Color: ShownColor>,
+{
+    let layers = RefCell::default();
+    let factor = MaterialOpacity::times(blending::alpha(view.opacity));
+    let recorder = Recorder { blend, factor, layers: &layers };
+    let object = object.clone().blended(KeepDepth(recorder));
+    let count = object.mesh().triangle_count();
+    let mut order = vec![0; count];
+    let projected = object.project(camera, storage)?.back_to_front(&mut order)?;
+    let [red, green, blue] = view.background;
+    let drawn = object::draw_over(&projected, view.area(), Rgb888::new(red, green, blue))?;
+    let colors = drawn.color.into_iter().map(Into::into);
+    let order = projected.order().triangles();
+    Ok(Layers::new((view, blend), colors, &layers.borrow(), order, count))
 }

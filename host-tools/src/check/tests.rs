@@ -3,6 +3,7 @@
 
 use std::fs;
 
+mod blending;
 mod filter;
 mod textured;
 
@@ -86,6 +87,9 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    blending: Blending::Replace,
+    background: BACKGROUND,
+    opacity: 1.0,
 };
 
 #[track_caller]

@@ -53,7 +53,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
     let Skins { textures, materials, file_materials, .. } = skins;
     let (perspective, filter) = (view.perspective, view.filter);
     let shader = Probe { shader: shader.clone(), read };
-    let Placed { picture, triangles, vertices, time, colors } =
+    let Placed { picture, triangles, vertices, time, colors, blended } =
         any_mode::with(perspective, || {
             fixed::place::<6, _>(model, view, &shader, |triangle, corner| {
                 let PlacedCorner { uv, inverse_w, light } = placed(triangle, corner);
@@ -106,6 +106,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
         picture,
         vertices,
         time,
+        blended,
         arithmetic: Box::new(arithmetic),
         end_to_end: fixed::end_to_end((model, surface), view, exact, shade),
     })

@@ -13,7 +13,7 @@ use rasterizer::{
     shade::{Level, Light},
 };
 
-use super::{Correction, DepthFormat, Filter, Shading};
+use super::{BACKGROUND, Blending, Correction, DepthFormat, Filter, Shading};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -81,6 +81,12 @@ pub struct View {
     pub perspective: Correction,
     /// How a colour is taken from a texture.
     pub filter: Filter,
+    /// How pixels are put onto the picture.
+    pub blending: Blending,
+    /// What blended pixels lie on.
+    pub background: [u8; 3],
+    /// What the opacity of all materials is multiplied by where pixels are blended, from 0 to 1.
+    pub opacity: f64,
 }
 
 impl Default for View {
@@ -100,6 +106,9 @@ impl Default for View {
             shading: Shading::default(),
             perspective: Correction::default(),
             filter: Filter::default(),
+            blending: Blending::default(),
+            background: BACKGROUND,
+            opacity: 1.0,
         }
     }
 }

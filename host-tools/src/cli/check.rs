@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{Bounds, Checked, Checker, Outcome, Shading, View},
+    check::{BACKGROUND, Bounds, Checked, Checker, Outcome, Shading, View},
     model::Model,
 };
 use serde::Serialize;
@@ -30,6 +30,7 @@ Examples:
   host-tools check model.obj --frames 60 --depth u32
   host-tools check model.obj --json | jq .arithmetic
   host-tools check model.obj --filter trilinear --perspective every-16
+  host-tools check model.obj --blend over --opacity 0.5
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
@@ -37,6 +38,8 @@ What is judged:
                 each coordinate against the exact one, in texels: within 1/16 texel or 1/256 pixel,
                 and what the steps of --perspective add. Close to the border of a texel, either
                 texel is right; elsewhere one is.
+                With --blend, the layers of each pixel from back to front, and their blended colour
+                against f64: 1/2 step of rounding for each layer, times what later ones let pass.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
@@ -195,8 +198,8 @@ pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) 
 /// Writes the three pictures of a frame, which [`Pictures::allow`] allows.
 pub(super) fn write_pictures(checked: &Checked, pictures: &Pictures) -> Result<Legend> {
     let (difference, legend) = image::of_differences(checked, &Bounds::ARITHMETIC);
-    let fixed = image::of_fixed(&checked.fixed, image::BACKGROUND);
-    let reference = image::of_reference(&checked.end_to_end, image::BACKGROUND);
+    let fixed = image::of_fixed(&checked.fixed, BACKGROUND);
+    let reference = image::of_reference(&checked.end_to_end, BACKGROUND);
     let files = [
         (&pictures.fixed, fixed),
         (&pictures.reference, reference),

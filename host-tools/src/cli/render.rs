@@ -8,7 +8,7 @@ use clap::{
     builder::{PathBufValueParser, TypedValueParser as _},
 };
 use host_tools::{
-    check::{self, FixedPicture, Shading, View, ViewError},
+    check::{self, BACKGROUND, FixedPicture, Shading, View, ViewError},
     model::Model,
 };
 
@@ -26,6 +26,7 @@ Examples:
   host-tools render model.obj -o logo.png --size 240x240 --yaw 45 --pitch 30
   host-tools render model.obj --shading flat --rgb565
   host-tools render model.obj --filter bilinear --texture-size 64x64
+  host-tools render model.obj --blend add --opacity 0.3
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
 /// Draw a model with the fixed-point core, as a display shows it
@@ -82,8 +83,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         let overwriting = Overwriting { force: arguments.force, inputs: &inputs };
         output::allow(&path, output::PNG, overwriting)?;
     }
-    let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
-    let (view, frames) = (arguments.view.view(Shading::of(&model)), arguments.view.frames);
+    let background = arguments.background.map_or(BACKGROUND, |Color(color)| color);
+    let view = View { background, ..arguments.view.view(Shading::of(&model)) };
+    let frames = arguments.view.frames;
 
     let mut is_empty = true;
     let bytes = {

@@ -5,7 +5,9 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use host_tools::{
-    check::{Correction, DepthFormat, Filter, Projection, Shading, Subpixel, View},
+    check::{
+        BACKGROUND, Blending, Correction, DepthFormat, Filter, Projection, Shading, Subpixel, View,
+    },
     model::{Model, Options},
 };
 use serde::Serialize;
@@ -60,6 +62,24 @@ pub(super) struct ViewOptions {
         value_parser = choice(&Filter::NAMES)
     )]
     filter: Filter,
+    /// How pixels are put onto the picture; all but replace draw every layer from back to front,
+    /// with the opacity of the materials
+    #[arg(
+        long,
+        value_name = "MODE",
+        default_value = name(&Blending::NAMES, View::default().blending),
+        value_parser = choice(&Blending::NAMES)
+    )]
+    blend: Blending,
+    /// What the opacity of all materials is multiplied by with --blend, 0 to 1 in steps of 1/256
+    #[arg(
+        long,
+        value_name = "PART",
+        default_value_t = View::default().opacity,
+        value_parser = within(0.0, 1.0),
+        allow_negative_numbers = true
+    )]
+    opacity: f64,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -170,6 +190,9 @@ impl ViewOptions {
             shading: self.shading.unwrap_or(otherwise),
             perspective: self.perspective,
             filter: self.filter,
+            blending: self.blend,
+            background: BACKGROUND,
+            opacity: self.opacity,
         }
     }
 
@@ -192,6 +215,8 @@ pub(super) struct Settings {
     shading: &'static str,
     perspective: &'static str,
     filter: &'static str,
+    blend: &'static str,
+    opacity: f64,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -220,6 +245,8 @@ impl Settings {
             shading: name(&Shading::NAMES, view.shading),
             perspective: name(&Correction::NAMES, view.perspective),
             filter: name(&Filter::NAMES, view.filter),
+            blend: name(&Blending::NAMES, view.blending),
+            opacity: view.opacity,
             distance: view.distance,
             fov,
             height,
@@ -240,8 +267,13 @@ impl Settings {
         } else {
             String::new()
         };
+        let blend = if self.blend == name(&Blending::NAMES, Blending::Replace) {
+            String::new()
+        } else {
+            format!(", blended by {} at {} of its opacity", self.blend, self.opacity)
+        };
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{blend}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -285,6 +317,7 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 #[cfg(test)]
 mod tests {
     use clap::Parser;
+    use host_tools::reference::Blend;
 
     use super::*;
 
@@ -309,7 +342,7 @@ mod tests {
     #[test]
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
-                    every-16 --filter trilinear --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+                    every-16 --filter trilinear --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
                     --crease 10 --frames 5";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
@@ -326,6 +359,9 @@ mod tests {
             shading: Shading::Flat,
             perspective: Correction::Every16,
             filter: Filter::Trilinear,
+            blending: Blending::By(Blend::Screen),
+            background: BACKGROUND,
+            opacity: 0.25,
         };
         assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
@@ -350,6 +386,8 @@ mod tests {
             ("--shading", &["phong"]),
             ("--perspective", &["every-5", "every", ""]),
             ("--filter", &["linear", "Nearest"]),
+            ("--blend", &["alpha", ""]),
+            ("--opacity", &["1.1", "-0.5", "NaN"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();
