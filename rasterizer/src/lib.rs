@@ -129,10 +129,10 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`numbers`] | Q formats, vectors, rotations, reciprocal and roots, sub-pixels |
-//! | [`color`] | alpha, and colours put over one another |
 //! | [`mesh`] | const tables in flash |
 //! | [`camera`] | place, direction, projection, viewport |
 //! | [`attribute`] | depth and varyings of a vertex, and their interpolation |
+//! | [`color`] | alpha, blending formulas, dithering, colours of vertices, a colour of a byte |
 //! | [`texture`] | texels in flash: formats, borders, filters, mip levels |
 //! | [`geometry`] | object space to vertices on the screen: transform, clipping, culling |
 //! | [`raster`] | triangles to spans of fragments: edges, rows, gradients |

@@ -84,6 +84,7 @@ fn link() -> Result<(), Box<dyn Error>> {
             "bench_set_up",
             "bench_frugal",
             "bench_frugal_set_up",
+            "bench_shades",
             "bench_textures",
             "scaling",
         ] {

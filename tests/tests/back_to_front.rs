@@ -35,7 +35,7 @@ fn the_order_is_that_of_exact_distances() {
             let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(pose).culled(CullNone);
             let seen = object.project_on_demand::<_, S, NoDepth>(&camera, S::default()).unwrap();
             let mut storage = vec![!0; mesh.triangle_count()];
-            let sorted = seen.clone().back_to_front(&mut storage).unwrap();
+            let sorted = seen.back_to_front(&mut storage).unwrap();
             let order: Vec<usize> = sorted.order().triangles().collect();
             assert!(order.len() > if round % EYES.len() == 0 { 400 } else { 60 });
 
@@ -126,7 +126,7 @@ fn the_nearest_comes_last() {
         let tested = object.project_on_demand::<_, S8, u32>(&camera, S8).unwrap();
         let tested = picture::<u32>(ROWS, |frame| tested.draw(frame));
         let unsorted = object.project_on_demand::<_, S8, NoDepth>(&camera, S8).unwrap();
-        let sorted = unsorted.clone().back_to_front(&mut storage).unwrap();
+        let sorted = unsorted.back_to_front(&mut storage).unwrap();
         let sorted = picture::<NoDepth>(ROWS, |frame| sorted.draw(frame));
         let unsorted = picture::<NoDepth>(ROWS, |frame| unsorted.draw(frame));
         let wrong = |got: &rasterizer_tests::bands::Screen<Rgb888>| {
@@ -145,7 +145,7 @@ fn too_little_storage_is_an_error_before_the_first_pixel() {
     let object = Object::new(&mesh, Position);
     let seen = object.project_on_demand::<_, S8, u16>(&at("3", DISPLAY), S8).unwrap();
     let mut storage = vec![0; mesh.triangle_count() - 1];
-    let refused = seen.clone().back_to_front(&mut storage).unwrap_err();
+    let refused = seen.back_to_front(&mut storage).unwrap_err();
     assert_eq!(refused, ProjectError::SortStorage { needed: mesh.triangle_count() });
     assert!(refused.to_string().contains("588 words"), "{refused}");
     // An object that is out of the picture has nothing to sort.

@@ -238,7 +238,7 @@ pub struct Blended {
     /// Pixels with more layers than the reference has there, or fewer.
     pub blend_layer_mismatches: usize,
     /// The largest difference of a layer's colour from the reference's in 8-bit steps; 0 with a
-    /// texture, whose visible texels are judged by themselves.
+    /// texture or fog, where several colours are right, and visible ones are judged by themselves.
     pub blend_layer_max_error: f64,
     /// The largest difference of a blended colour in 8-bit steps.
     pub blend_max_error: f64,

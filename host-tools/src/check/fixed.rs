@@ -10,16 +10,19 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
     attribute::FloatDepth,
     camera::Camera,
+    color::Composite,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
     output::{KeepDepth, MaterialOpacity, StoredColor},
     scene::Object,
-    shade::{OnScreen, Shader},
+    shade::{Fogged, OnScreen, Shader},
+    texture::Texel,
 };
 
 use super::{
     Blending, DefinedDepth, DepthFormat, Texels,
     blending::{self, Layers, Recorder},
+    fog::{self, AnyFog, SeenPicture},
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
     view::{Projection, Subpixel, View, ViewError},
@@ -54,7 +57,7 @@ pub(super) type Arithmetic = (Picture, Option<Texels>);
 /// The reference interpolates what `placed` returns for a triangle and the stored varyings of a
 /// corner, and `shade` colours it. From the faces of the file it interpolates what `exact` returns
 /// for a corner of [`Surface`], and `shade_exact` colours that.
-pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
+pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888, Outcome = Rgb888>>(
     (model, surface): (&'a Model, &'a Surface),
     view: &View,
     shader: &Sh,
@@ -63,15 +66,23 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
     exact: impl Fn(Corner) -> [f64; N] + 'a,
     shade_exact: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Placed { picture, triangles, vertices, time, blended, .. } =
+    let Placed { picture, triangles, vertices, time, blended, fog, .. } =
         place(model, view, shader, placed)?;
     let size = view.size.map(|c| c as usize).into();
+    let arithmetic = move |fixed: &FixedPicture| {
+        let bare = reference::draw_screen(&triangles, size, shade);
+        let picture = match fog {
+            Some(fog) => fog.over(&bare, |pixel| fixed.color(pixel)),
+            None => bare,
+        };
+        (picture, None)
+    };
     Ok(Drawn {
         picture,
         vertices,
         time,
         blended,
-        arithmetic: Box::new(move |_| (reference::draw_screen(&triangles, size, shade), None)),
+        arithmetic: Box::new(arithmetic),
         end_to_end: end_to_end((model, surface), view, exact, shade_exact),
     })
 }
@@ -87,7 +98,12 @@ pub(super) fn end_to_end<'a, const N: usize>(
     Box::new(move || {
         let (camera, mesh) = (view.reference_camera(), surface.mesh(model, &view));
         let size = view.size.map(|c| c as usize).into();
-        reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, varyings, shade)
+        let bare =
+            reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, varyings, shade);
+        match view.fog {
+            Some(fog) => fog.over(&bare, |depth| view.fog_distance(depth)),
+            None => bare,
+        }
     })
 }
 
@@ -100,14 +116,40 @@ pub(super) struct Placed<const N: usize, C> {
     /// The colours of the picture, row by row.
     pub(super) colors: Vec<C>,
     pub(super) blended: Option<Layers>,
+    /// Fog on the same triangles, if there is any.
+    pub(super) fog: Option<SeenPicture>,
 }
 
-/// Draws a model by the core. `placed` returns the reference's varyings of a corner.
-pub(super) fn place<const N: usize, Sh: Shader<Color: ShownColor>>(
+/// Draws a model by the core, in the fog of the view. `placed` returns the reference's varyings of a
+/// corner.
+pub(super) fn place<const N: usize, Sh>(
     model: &Model,
     view: &View,
     shader: &Sh,
     placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+) -> Result<Placed<N, Sh::Color>, ViewError>
+where
+    Sh: Shader<Color: ShownColor + Composite, Outcome: Texel<<Sh as Shader>::Color>>,
+{
+    let (Some(fog), Some(core)) = (view.fog, view.core_fog()?) else {
+        return by_projection(model, view, shader, |triangle, corner| {
+            (placed(triangle, corner), 1.0)
+        });
+    };
+    let shader = Fogged::new(shader.clone(), &core, fog.core_color().into()).computed(AnyFog);
+    let near = view.rounded().near;
+    fog::with(fog.by, || {
+        by_projection(model, view, &shader, |triangle, (corner, seen)| {
+            (placed(triangle, corner), fog::inverse_w(seen, near))
+        })
+    })
+}
+
+fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
+    model: &Model,
+    view: &View,
+    shader: &Sh,
+    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 ) -> Result<Placed<N, Sh::Color>, ViewError> {
     match view.projection {
         Projection::Perspective { field_of_view_degrees } => {
@@ -130,7 +172,7 @@ fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color: ShownCol
     view: &View,
     camera: &Camera<P>,
     shader: &Sh,
-    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 ) -> Result<Placed<N, Sh::Color>, ViewError> {
     match (view.subpixel, view.depth) {
         (Subpixel::S4, DepthFormat::U16) => {
@@ -159,7 +201,7 @@ fn by_format<const N: usize, S, D, P, Sh>(
     view: &View,
     camera: &Camera<P>,
     shader: &Sh,
-    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 ) -> Result<Placed<N, Sh::Color>, ViewError>
 where
     S: numbers::Subpixel,
@@ -175,7 +217,14 @@ where
     let projecting = start.elapsed();
     let drawn = object::draw_colors(&projected, view.area())?;
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-        (corner.depth().depth(), placed(triangle, corner.varyings()))
+        (corner.depth().depth(), placed(triangle, corner.varyings()).0)
+    });
+    let fog = view.rounded().fog.map(|fog| {
+        let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
+            (corner.depth().depth(), [placed(triangle, corner.varyings()).1])
+        });
+        let size = view.size.map(|c| c as usize).into();
+        SeenPicture::new(fog, &triangles, size)
     });
     let vertices =
         projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
@@ -189,6 +238,7 @@ where
             Blending::Replace => None,
             Blending::By(blend) => Some(blended(&object, (view, blend), camera, &mut storage)?),
         },
+        fog,
     })
 }
 

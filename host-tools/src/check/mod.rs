@@ -30,6 +30,7 @@ mod correction;
 mod depth;
 mod filter;
 mod fixed;
+mod fog;
 mod object;
 mod placement;
 mod places;
@@ -50,6 +51,7 @@ pub use coordinates::{ExactCoordinate, TexelError, Texels};
 pub use correction::Correction;
 pub use depth::{DefinedDepth, DepthFormat};
 pub use filter::{Filter, Precision, Right, Seen};
+pub use fog::{Fog, FogBy};
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use shading::Shading;
@@ -150,7 +152,7 @@ impl<'a> Checker<'a> {
                 (placement.place(p), bound(p))
             })
         };
-        let has_colors = !view.shading.is_textured();
+        let has_colors = !view.shading.is_textured() && view.fog.is_none();
         let layers = drawn.blended;
         let blend = layers.as_ref().map(|layers| layers.judge(&arithmetic, has_colors));
         let comparison = |reference, vertices, texels, blend, time| Comparison {

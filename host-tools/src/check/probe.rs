@@ -2,6 +2,7 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
+    color::{Alpha, Composite},
     geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     output::{PixelFill, StoredColor},
@@ -27,6 +28,25 @@ impl<C> Probed<C> {
 
 impl<C: Copy> StoredColor for Probed<C> {
     type Fill = PixelFill<Self>;
+}
+
+/// What lies behind keeps its coordinate.
+impl<C: Composite> Composite for Probed<C> {
+    fn over(self, stored: Self, alpha: Alpha) -> Self {
+        Self { color: self.color.over(stored.color, alpha), ..stored }
+    }
+
+    fn add(self, stored: Self, alpha: Alpha) -> Self {
+        Self { color: self.color.add(stored.color, alpha), ..stored }
+    }
+
+    fn multiply(self, stored: Self, alpha: Alpha) -> Self {
+        Self { color: self.color.multiply(stored.color, alpha), ..stored }
+    }
+
+    fn screen(self, stored: Self, alpha: Alpha) -> Self {
+        Self { color: self.color.screen(stored.color, alpha), ..stored }
+    }
 }
 
 impl<C: From<Rgb888>> From<Rgb888> for Probed<C> {

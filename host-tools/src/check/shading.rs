@@ -5,8 +5,11 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
-    attribute::{Affine, Components, Correction as _},
-    shade::{Flat, Gouraud, Light, Textured, TexturedFlat, TexturedGouraud, Unlit},
+    attribute::{Affine, Components, Correction as Mode},
+    shade::{
+        Colored, ColoredGouraud, Flat, Gouraud, Light, Textured, TexturedFlat, TexturedGouraud,
+        Unlit,
+    },
     texture::TextureVarying,
 };
 
@@ -18,10 +21,10 @@ use super::{
     skins::Skins,
     surface::Surface,
     textured::{self, PlacedCorner},
-    view::{View, ViewError},
+    view::{Projection, View, ViewError},
 };
 use crate::{
-    model::Model,
+    model::{Face, Model},
     reference::{Corner, Sample},
 };
 
@@ -35,6 +38,10 @@ pub enum Shading {
     Gouraud,
     /// The material's colour.
     Unlit,
+    /// The colours of the vertices, without light.
+    Colored,
+    /// The colours of the vertices, lit there and interpolated.
+    ColoredGouraud,
     /// The material's texture, without light.
     Textured,
     /// The texture, lit by the triangle's normal.
@@ -45,19 +52,34 @@ pub enum Shading {
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 6] = [
+    pub const NAMES: [(&'static str, Self); 8] = [
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
         ("unlit", Self::Unlit),
+        ("colored", Self::Colored),
+        ("colored-gouraud", Self::ColoredGouraud),
         ("textured", Self::Textured),
         ("textured-flat", Self::TexturedFlat),
         ("textured-gouraud", Self::TexturedGouraud),
     ];
 
-    /// What a model is drawn with unless another one is chosen: its textures, if it has any.
+    /// What a model is drawn with unless another one is chosen: its textures, or else the colours
+    /// of its vertices, if it has any.
     #[must_use]
     pub const fn of(model: &Model) -> Self {
-        if model.textures.is_some() { Self::TexturedGouraud } else { Self::Gouraud }
+        if model.textures.is_some() {
+            Self::TexturedGouraud
+        } else if model.vertex_colors.is_empty() {
+            Self::Gouraud
+        } else {
+            Self::ColoredGouraud
+        }
+    }
+
+    /// Whether it shows the colours of vertices.
+    #[must_use]
+    pub const fn is_colored(self) -> bool {
+        matches!(self, Self::Colored | Self::ColoredGouraud)
     }
 
     /// Whether it reads texture coordinates.
@@ -125,6 +147,30 @@ pub(super) fn draw<'a>(
                 move |sample: Sample<0>| Some(colors[sample.triangle]),
                 |_| [],
                 move |sample: Sample<0>| Some(file_color(sample.triangle)),
+            )
+        }
+        Shading::Colored => fixed::draw(
+            (model, surface),
+            view,
+            &Colored::<Rgb888>::new(),
+            |_, corner| channels(&corner),
+            |sample: Sample<3>| Some(sample.varyings),
+            |corner: Corner| file_channels(model, corner.vertex),
+            |sample: Sample<3>| Some(sample.varyings),
+        ),
+        Shading::ColoredGouraud => {
+            let levels = corner_levels(model, surface, view);
+            fixed::draw(
+                (model, surface),
+                view,
+                &ColoredGouraud::<Rgb888>::new(core_light),
+                |_, corner| channels(&corner),
+                |sample: Sample<3>| Some(sample.varyings),
+                move |corner: Corner| {
+                    let level = levels[corner.vertex][0];
+                    file_channels(model, corner.vertex).map(|channel| channel * level)
+                },
+                |sample: Sample<3>| Some(sample.varyings),
             )
         }
         Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
@@ -235,16 +281,41 @@ pub(super) fn colors(
 ) -> Vec<Option<FaceColors>> {
     let levels = levels(model, surface, view);
     let faces = model.exact.faces.faces.iter();
-    faces
-        .zip(levels)
-        .map(|(face, levels)| {
-            if view.shading.is_textured() {
-                skins.colors(face.material, levels)
-            } else {
-                Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
-            }
-        })
+    let bare = faces.zip(levels).map(|(face, levels)| {
+        if view.shading.is_textured() {
+            skins.colors(face.material, levels)
+        } else if view.shading.is_colored() {
+            let corners = face.corners.clone().map(|corner| file_channels(model, corner));
+            Some(FaceColors { range: range(corners), levels })
+        } else {
+            Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
+        }
+    });
+    let Some(fog) = view.fog else { return bare.collect() };
+    bare.zip(distances(model, view))
+        .map(|(colors, distances)| Some(fog.colors(colors?, distances)))
         .collect()
+}
+
+/// The distances between which each face lies in fog, with a quantum of the tables on both sides.
+fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
+    let quantum = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
+    let (camera, faces) = (view.reference_camera(), &model.exact.faces);
+    let [near, far] = [view.near, view.far];
+    let posed = view.pose_points(&faces.positions).into_iter();
+    let all: Vec<f64> = posed.map(|p| -camera.to_view(p)[2]).collect();
+    let is_parallel = matches!(view.projection, Projection::Orthographic { .. });
+    let of_face = |face: &Face| {
+        let corners = faces.corners[face.corners.clone()].iter().map(|&p| all[p as usize]);
+        let least = corners.clone().fold(f64::INFINITY, f64::min);
+        let most = corners.fold(f64::NEG_INFINITY, f64::max);
+        if is_parallel {
+            [near; 2]
+        } else {
+            [(least - quantum).clamp(near, far), (most + quantum).clamp(near, far)]
+        }
+    };
+    faces.faces.iter().map(of_face).collect()
 }
 
 /// The levels of light that each face may have.
@@ -259,8 +330,10 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
         [low - NORMAL, high + NORMAL]
     };
     match view.shading {
-        Shading::Unlit | Shading::Textured => vec![[1.0, 1.0]; faces.faces.len()],
-        Shading::Gouraud | Shading::TexturedGouraud => {
+        Shading::Unlit | Shading::Colored | Shading::Textured => {
+            vec![[1.0, 1.0]; faces.faces.len()]
+        }
+        Shading::Gouraud | Shading::ColoredGouraud | Shading::TexturedGouraud => {
             let levels = corner_levels(model, surface, view);
             (faces.faces.iter())
                 .map(|face| within(&mut levels[face.corners.clone()].iter().flatten().copied()))
@@ -314,6 +387,27 @@ fn quantised_level(light: &Light, normal: [i8; 3]) -> f64 {
 fn ramp_level(place: u16) -> f64 {
     let levels = LEVELS as f64;
     (f64::from(place) / 65536.0 * levels - 0.5) / (levels - 1.0)
+}
+
+/// The colour that the varyings of a corner stand for, from 0 to 255: 0 and 1 lie in the middle of
+/// the first and the last of 256 steps.
+fn channels(corner: &<Affine as Mode>::OnScreen<[u16; 3]>) -> [f64; 3] {
+    let (channels, _) = Affine::parts(corner);
+    channels.map(|channel| f64::from(channel) / 256.0 - 0.5)
+}
+
+/// The colour of a corner of the file, from 0 to 255.
+fn file_channels(model: &Model, corner: usize) -> [f64; 3] {
+    model.exact.faces.vertex_colors.get(corner).copied().unwrap_or_default()
+}
+
+/// The least and the largest of each channel.
+fn range(colors: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    colors.fold([[f64::INFINITY; 3], [0.0; 3]], |[least, most], color| {
+        let each =
+            |of: fn(f64, f64) -> f64, with: [f64; 3]| [0, 1, 2].map(|i| of(with[i], color[i]));
+        [each(f64::min, least), each(f64::max, most)]
+    })
 }
 
 /// The colour of each triangle's material.

@@ -4,7 +4,9 @@
 use std::fs;
 
 mod blending;
+mod colored;
 mod filter;
+mod fog;
 mod textured;
 
 use super::*;
@@ -90,6 +92,7 @@ const FRONT: View = View {
     blending: Blending::Replace,
     background: BACKGROUND,
     opacity: 1.0,
+    fog: None,
 };
 
 #[track_caller]

@@ -1,6 +1,9 @@
 //! A textured shader of the core against its definition.
 
-use rasterizer::shade::{self, OnScreen, Shader};
+use rasterizer::{
+    color::Composite,
+    shade::{self, OnScreen, Shader},
+};
 
 use super::{
     any_mode,
@@ -42,7 +45,7 @@ pub(super) struct PlacedCorner {
 /// Draws a textured model by the core. `read` takes the texture coordinate in Q8.24 from what a
 /// pixel sees; `placed` returns a corner from its triangle and its stored varyings, and `exact` the
 /// coordinates and the light level of a corner of the file.
-pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
+pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     (model, surface, skins): (&'a Model, &'a Surface, &'a Skins),
     view: &View,
     shader: &Sh,
@@ -53,7 +56,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
     let Skins { textures, materials, file_materials, .. } = skins;
     let (perspective, filter) = (view.perspective, view.filter);
     let shader = Probe { shader: shader.clone(), read };
-    let Placed { picture, triangles, vertices, time, colors, blended } =
+    let Placed { picture, triangles, vertices, time, colors, blended, fog } =
         any_mode::with(perspective, || {
             fixed::place::<6, _>(model, view, &shader, |triangle, corner| {
                 let PlacedCorner { uv, inverse_w, light } = placed(triangle, corner);
@@ -81,8 +84,11 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
         let texels = coordinates::compare(&coordinates, fixed, depth, &exact, perspective.reason());
         let picture = seen.recolored(|[x, y], fragment| {
             let drawn = fixed.pixels[y * size.0 + x];
-            let right =
-                fragment.color.right(filter, Precision::OF_CHANNELS, drawn.color.map(f64::from));
+            let mut color = drawn.color.map(f64::from);
+            if let Some(fog) = &fog {
+                color = fog.bare([x, y], fragment, color);
+            }
+            let right = fragment.color.right(filter, Precision::OF_CHANNELS, color);
             // Where it may be transparent, it is if the core shows something behind it.
             let is_drawn = || {
                 let units = depth.units(fragment.depth) - f64::from(drawn.depth);
@@ -90,6 +96,10 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
             };
             right.color.filter(|_| !right.may_be_transparent || is_drawn())
         });
+        let picture = match &fog {
+            Some(fog) => fog.over(&picture, |pixel| fixed.color(pixel)),
+            None => picture,
+        };
         (picture, Some(texels))
     };
     let exact = move |corner: Corner| -> Varyings {

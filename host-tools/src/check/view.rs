@@ -10,10 +10,10 @@ use rasterizer::{
     numbers::{Rotation, Scalar, Turn, Vec3},
     output::FrameError,
     scene::ProjectError,
-    shade::{Level, Light},
+    shade::{self, Level, Light},
 };
 
-use super::{BACKGROUND, Blending, Correction, DepthFormat, Filter, Shading};
+use super::{BACKGROUND, Blending, Correction, DepthFormat, Filter, Fog, Shading};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -87,6 +87,8 @@ pub struct View {
     pub background: [u8; 3],
     /// What the opacity of all materials is multiplied by where pixels are blended, from 0 to 1.
     pub opacity: f64,
+    /// What colours fade into with the distance.
+    pub fog: Option<Fog>,
 }
 
 impl Default for View {
@@ -109,6 +111,7 @@ impl Default for View {
             blending: Blending::default(),
             background: BACKGROUND,
             opacity: 1.0,
+            fog: None,
         }
     }
 }
@@ -131,6 +134,14 @@ pub enum ViewError {
     /// The camera's numbers contradict each other.
     #[error("{0}")]
     Camera(#[from] CameraError),
+    /// The fog has no law.
+    #[error("the fog ends at {end}, but must end beyond its start at {start}")]
+    Fog {
+        /// Where it starts.
+        start: f64,
+        /// Where it ends.
+        end: f64,
+    },
     /// The core refuses the model in this view.
     #[error("{0}")]
     Project(#[from] ProjectError),
@@ -174,6 +185,7 @@ impl View {
             yaw_degrees: turn(self.yaw_degrees),
             pitch_degrees: turn(self.pitch_degrees),
             roll_degrees: turn(self.roll_degrees),
+            fog: self.fog.map(Fog::rounded),
             ..self
         }
     }
@@ -212,6 +224,31 @@ impl View {
         let height = distance("the height of the view", height)?;
         let [near, far] = self.depth_range()?;
         self.fixed_camera(Orthographic::new(height, near, far)?)
+    }
+
+    /// The fog of the fixed-point core.
+    pub(super) fn core_fog(&self) -> Result<Option<shade::Fog>, ViewError> {
+        let Some(fog) = self.fog else { return Ok(None) };
+        match fog.law {
+            reference::Fog::Linear { start, end } => {
+                checked("the start of the fog", start, 0.0, 65_535.0)?;
+                checked("the end of the fog", end, 0.0, 65_535.0)?;
+                fog.core().map(Some).ok_or(ViewError::Fog { start, end })
+            }
+            reference::Fog::Exponential { density } => {
+                checked("the density of the fog", density, 0.0, 255.0)?;
+                Ok(fog.core())
+            }
+        }
+    }
+
+    /// The distance of a pixel in the reference from its depth. In a parallel projection fog sees
+    /// all of them at the near plane.
+    pub(super) fn fog_distance(&self, depth: f64) -> f64 {
+        match self.projection {
+            Projection::Perspective { .. } => self.near / depth,
+            Projection::Orthographic { .. } => self.near,
+        }
     }
 
     fn depth_range(&self) -> Result<[Distance; 2], ViewError> {

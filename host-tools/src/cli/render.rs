@@ -8,7 +8,7 @@ use clap::{
     builder::{PathBufValueParser, TypedValueParser as _},
 };
 use host_tools::{
-    check::{self, BACKGROUND, FixedPicture, Shading, View, ViewError},
+    check::{self, BACKGROUND, FixedPicture, Fog, Shading, View, ViewError},
     model::Model,
 };
 
@@ -27,6 +27,7 @@ Examples:
   host-tools render model.obj --shading flat --rgb565
   host-tools render model.obj --filter bilinear --texture-size 64x64
   host-tools render model.obj --blend add --opacity 0.3
+  host-tools render model.obj --fog linear:2:4       The background hides what is far away
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
 /// Draw a model with the fixed-point core, as a display shows it
@@ -84,7 +85,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         output::allow(&path, output::PNG, overwriting)?;
     }
     let background = arguments.background.map_or(BACKGROUND, |Color(color)| color);
-    let view = View { background, ..arguments.view.view(Shading::of(&model)) };
+    let view = arguments.view.view(Shading::of(&model));
+    // Fog hides what it covers.
+    let fog = view.fog.map(|fog| Fog { color: background, ..fog });
+    let view = View { background, fog, ..view };
     let frames = arguments.view.frames;
 
     let mut is_empty = true;

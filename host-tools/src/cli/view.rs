@@ -6,9 +6,11 @@ use clap::{
 };
 use host_tools::{
     check::{
-        BACKGROUND, Blending, Correction, DepthFormat, Filter, Projection, Shading, Subpixel, View,
+        BACKGROUND, Blending, Correction, DepthFormat, Filter, Fog, FogBy, Projection, Shading,
+        Subpixel, View,
     },
     model::{Model, Options},
+    reference,
 };
 use serde::Serialize;
 
@@ -42,8 +44,8 @@ pub(super) struct ViewOptions {
         value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
-    /// How triangles are coloured [default: textured-gouraud if the model has textures, otherwise
-    /// gouraud]
+    /// How triangles are coloured [default: textured-gouraud if the model has textures,
+    /// colored-gouraud if its vertices have colours, otherwise gouraud]
     #[arg(long, value_parser = choice(&Shading::NAMES))]
     shading: Option<Shading>,
     /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often
@@ -80,6 +82,19 @@ pub(super) struct ViewOptions {
         allow_negative_numbers = true
     )]
     opacity: f64,
+    /// Fog by the distance from the camera's plane: none up to START and all from END on, or e to
+    /// the -DENSITY a unit
+    #[arg(long, value_name = "linear:START:END|exp:DENSITY", value_parser = fog)]
+    fog: Option<reference::Fog>,
+    /// Where fog is computed
+    #[arg(
+        long,
+        value_name = "WHERE",
+        requires = "fog",
+        default_value = name(&FogBy::NAMES, FogBy::default()),
+        value_parser = choice(&FogBy::NAMES)
+    )]
+    fog_by: FogBy,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -193,6 +208,7 @@ impl ViewOptions {
             blending: self.blend,
             background: BACKGROUND,
             opacity: self.opacity,
+            fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: BACKGROUND }),
         }
     }
 
@@ -217,6 +233,10 @@ pub(super) struct Settings {
     filter: &'static str,
     blend: &'static str,
     opacity: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog_by: Option<&'static str>,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -247,6 +267,8 @@ impl Settings {
             filter: name(&Filter::NAMES, view.filter),
             blend: name(&Blending::NAMES, view.blending),
             opacity: view.opacity,
+            fog: view.fog.map(|fog| law(fog.law)),
+            fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             distance: view.distance,
             fov,
             height,
@@ -272,8 +294,12 @@ impl Settings {
         } else {
             format!(", blended by {} at {} of its opacity", self.blend, self.opacity)
         };
+        let fog = match (&self.fog, self.fog_by) {
+            (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
+            _ => String::new(),
+        };
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{blend}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -302,6 +328,29 @@ pub(super) fn within(
     move |text| {
         let number = text.parse().ok().filter(|n| (least..=most).contains(n));
         number.ok_or_else(|| format!("it must be a number from {least} to {most}"))
+    }
+}
+
+/// A law of fog, as in linear:2:10 or exp:0.3.
+fn fog(text: &str) -> Result<reference::Fog, String> {
+    let number = |text: &str, most: f64| within(0.0, most)(text);
+    if let Some(density) = text.strip_prefix("exp:") {
+        return Ok(reference::Fog::Exponential { density: number(density, 255.0)? });
+    }
+    let ends = text.strip_prefix("linear:").and_then(|ends| ends.split_once(':'));
+    let (start, end) = ends.ok_or("write linear:START:END or exp:DENSITY, as in exp:0.3")?;
+    let [start, end] = [number(start, 65_535.0)?, number(end, 65_535.0)?];
+    if end <= start {
+        return Err("it must end beyond its start".into());
+    }
+    Ok(reference::Fog::Linear { start, end })
+}
+
+/// The law as it is written.
+fn law(law: reference::Fog) -> String {
+    match law {
+        reference::Fog::Linear { start, end } => format!("linear:{start}:{end}"),
+        reference::Fog::Exponential { density } => format!("exp:{density}"),
     }
 }
 
@@ -342,7 +391,7 @@ mod tests {
     #[test]
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
-                    every-16 --filter trilinear --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+                    every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
                     --crease 10 --frames 5";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
@@ -362,6 +411,11 @@ mod tests {
             blending: Blending::By(Blend::Screen),
             background: BACKGROUND,
             opacity: 0.25,
+            fog: Some(Fog {
+                law: reference::Fog::Linear { start: 1.5, end: 9.0 },
+                by: FogBy::Vertex,
+                color: BACKGROUND,
+            }),
         };
         assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
@@ -388,6 +442,21 @@ mod tests {
             ("--filter", &["linear", "Nearest"]),
             ("--blend", &["alpha", ""]),
             ("--opacity", &["1.1", "-0.5", "NaN"]),
+            (
+                "--fog",
+                &[
+                    "",
+                    "exp",
+                    "exp:",
+                    "exp:-1",
+                    "exp:nan",
+                    "linear:1",
+                    "linear:2:2",
+                    "linear:3:1",
+                    "3",
+                ],
+            ),
+            ("--fog-by", &["pixel", "face"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();

@@ -53,6 +53,7 @@ fn options(model: &Model) -> String {
         (contents.vertex_normals, "vertex normals"),
         (contents.face_normals, "face normals"),
         (contents.texture_coordinates, "texture coordinates"),
+        (!model.vertex_colors.is_empty(), "vertex colours"),
     ]
     .into_iter()
     .filter_map(|(kept, name)| kept.then_some(name))
@@ -106,6 +107,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
             "I32"
         }
     };
+    table(out, "VERTEX_COLORS", "[u8; 3]", model.vertex_colors.iter().map(row))?;
     let index = match &model.triangles {
         Indices::U8(triangles) => {
             table(out, "TRIANGLES", "[u8; 3]", triangles.iter().map(row))?;
@@ -137,6 +139,9 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     if is_textured {
         let column = format!("TextureCoordinates::{coordinates}(&TEXTURE_COORDINATES)");
         writeln!(out, "        texture_coordinates: {column},")?;
+    }
+    if !model.vertex_colors.is_empty() {
+        writeln!(out, "        vertex_colors: &VERTEX_COLORS,")?;
     }
     writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
     writeln!(out, "        materials: &MATERIALS,")?;

@@ -14,6 +14,7 @@ mod reading;
 mod shipped;
 mod smoothing;
 mod textures;
+mod vertex_colors;
 mod winding;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
@@ -232,7 +233,7 @@ fn the_same_model_in_other_writing_is_the_same() {
     )
     .unwrap();
     let variants = [
-        "# c\r\nv\t0 0 0\r\nv 3 0 0 1 0 0\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\nmg 1\r\n\
+        "# c\r\nv\t0 0 0\r\nv 3 0 0 1\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\nmg 1\r\n\
          f 1 3 2\r\nf 1 2 4 \\\r\n\r\nf 2 3 \\\r\n4",
         "v 0 0 0\nv 3 0 0\nv 0 4 0\nf -3 -1 -2\nv 0 0 5\ng a b\nl 1 2 3 4\np 1\n\
          f -4 -3 -1\nf -3// -2// -1//",
@@ -307,6 +308,7 @@ fn absent_tables_are_empty() {
             vertex_normals: false,
             face_normals: false,
             texture_coordinates: false,
+            vertex_colors: false,
         },
         ..Options::default()
     };

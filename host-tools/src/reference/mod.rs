@@ -44,6 +44,7 @@
 //! |---|---|---|
 //! | view transform, projection | `camera.rs` | similar triangles |
 //! | light level of a normal | `light.rs` | Lambert's cosine law |
+//! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
@@ -65,6 +66,7 @@ mod chord;
 mod clip;
 mod coverage;
 mod depth;
+mod fog;
 mod footprint;
 mod interpolate;
 mod light;
@@ -87,6 +89,7 @@ pub use blend::{Blend, Layer};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
 pub use depth::DepthFormat;
+pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
 pub use light::Light;
 pub use mesh::{Corner, Culling, Mesh};

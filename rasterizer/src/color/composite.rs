@@ -5,10 +5,10 @@ use embedded_graphics_core::pixelcolor::{
     Rgb565, Rgb666, Rgb888, RgbColor as _, raw::RawU16,
 };
 
-use super::Alpha;
+use super::{Alpha, Rgb332};
 
-/// A colour that can be put over another one: all of embedded-graphics but `BinaryColor`, and
-/// [`Rgb565Be`](crate::output::Rgb565Be).
+/// A colour that can be put over another one: all of embedded-graphics but `BinaryColor`,
+/// [`Rgb332`] and [`Rgb565Be`](crate::output::Rgb565Be).
 ///
 /// Each channel is computed in the values that are stored, and rounded to the nearest once. With
 /// the stored value s, the new one n, both from 0 to max, and the alpha a from 0 to 1:
@@ -115,7 +115,7 @@ macro_rules! by_channels {
     };
 }
 
-by_channels!(Rgb666: [6, 6, 6], Rgb888: [8, 8, 8], Bgr666: [6, 6, 6], Bgr888: [8, 8, 8]);
+by_channels!(Rgb332: [3, 3, 2], Rgb666: [6, 6, 6], Rgb888: [8, 8, 8], Bgr666: [6, 6, 6], Bgr888: [8, 8, 8]);
 
 macro_rules! by_luma {
     ($($color:ident: $bits:literal),*) => {
@@ -353,7 +353,7 @@ mod tests {
 
     #[test]
     fn every_type_of_color_is_blended_channel_by_channel() {
-        check_types!(Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888);
+        check_types!(Rgb332, Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888);
         check_type(|random| Gray2::new(random.bits() as u8), |gray| [gray.luma()], [3]);
         check_type(|random| Gray4::new(random.bits() as u8), |gray| [gray.luma()], [15]);
         check_type(|random| Gray8::new(random.bits() as u8), |gray| [gray.luma()], [255]);

@@ -30,6 +30,8 @@ pub enum MeshError {
     },
     /// The `fraction_bits` of `texture_coordinates` are below 10 or over 16.
     TextureFractionBits,
+    /// `vertex_colors` is neither empty nor as long as `positions`.
+    VertexColorCount,
     /// `finishes` is neither empty nor as long as `materials`.
     FinishCount,
     /// The exponent of a finish is 0 or over 1,000.
@@ -63,6 +65,7 @@ impl MeshError {
             Self::TextureFractionBits => {
                 "the `fraction_bits` of `texture_coordinates` must be 10 to 16"
             }
+            Self::VertexColorCount => "`vertex_colors` must be empty or as long as `positions`",
             Self::FinishCount => "`finishes` must be empty or as long as `materials`",
             Self::FinishExponent { .. } => "the `exponent` of a finish must be 1 to 1,000",
             Self::MaterialCoverage => {
@@ -112,6 +115,9 @@ pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
     }
     if let Err(error) = texture_coordinates(&tables.texture_coordinates) {
         return Err(error);
+    }
+    if !is_empty_or(tables.vertex_colors.len(), vertices) {
+        return Err(MeshError::VertexColorCount);
     }
     if let Err(error) = finishes(tables) {
         return Err(error);

@@ -56,6 +56,9 @@ pub struct Tables<'a> {
     pub face_normals: Normals<'a>,
     /// The texture coordinates of each vertex: none, or as many as `positions`.
     pub texture_coordinates: TextureCoordinates<'a>,
+    /// The colour of each vertex: none, or as many as `positions`. Red, green and blue, 0 to 255, as
+    /// stored in pictures (sRGB).
+    pub vertex_colors: &'a [[u8; 3]],
     /// The vertices of each triangle.
     pub triangles: Triangles<'a>,
     /// The materials in the order of the triangles they cover.
@@ -73,6 +76,7 @@ impl Tables<'_> {
         vertex_normals: Normals::NONE,
         face_normals: Normals::NONE,
         texture_coordinates: TextureCoordinates::NONE,
+        vertex_colors: &[],
         triangles: Triangles::U8(&[]),
         materials: &[],
         finishes: &[],
@@ -215,6 +219,8 @@ mod tests {
             fault(|t| t.face_normals = Normals::I8(&[[0, 0, 127]])),
             MeshError::FaceNormalCount
         );
+        assert_eq!(fault(|t| t.vertex_colors = &[[0; 3]]), MeshError::VertexColorCount);
+        assert_eq!(fault(|t| t.vertex_colors = &[[0; 3]; 5]), MeshError::VertexColorCount);
         assert_eq!(fault(|t| t.materials = &[]), MeshError::MaterialCoverage);
     }
 

@@ -13,6 +13,8 @@ pub struct RequiredTables {
     pub texture_coordinates: bool,
     /// [`Tables::texture_coordinates`] of 16 bits ([`TextureCoordinates::I16`]).
     pub narrow_texture_coordinates: bool,
+    /// [`Tables::vertex_colors`].
+    pub vertex_colors: bool,
 }
 
 impl RequiredTables {
@@ -22,6 +24,7 @@ impl RequiredTables {
         face_normals: false,
         texture_coordinates: false,
         narrow_texture_coordinates: false,
+        vertex_colors: false,
     };
 
     /// `tables` with each per-vertex table that this shader reads cut to `count` entries; `None` if
@@ -47,6 +50,7 @@ impl RequiredTables {
                     fraction_bits,
                 },
             },
+            vertex_colors: cut(tables.vertex_colors, count, self.vertex_colors)?,
             ..*tables
         })
     }
@@ -98,6 +102,13 @@ impl<'a> MeshVertex<'a> {
     #[must_use]
     pub fn texture_coordinates_q14(&self) -> [i16; 2] {
         self.tables.texture_coordinates.get_q14(self.index).unwrap_or_default()
+    }
+
+    /// Its colour: red, green and blue, 0 to 255; black if the mesh has none.
+    #[inline(always)]
+    #[must_use]
+    pub fn color(&self) -> [u8; 3] {
+        self.tables.vertex_colors.get(self.index).copied().unwrap_or_default()
     }
 }
 

@@ -5,10 +5,11 @@ use embedded_graphics_core::pixelcolor::{
     IntoStorage, PixelColor, Rgb565, Rgb888,
     raw::{RawData, RawU16},
 };
+use fixed::types::U16F16;
 
 use super::{StoredColor, WordFill};
 use crate::{
-    color::{Alpha, Composite},
+    color::{Alpha, Channels, Composite, Dither, FullColor},
     texture::Mix,
 };
 
@@ -101,6 +102,29 @@ impl Composite for Rgb565Be {
     #[inline(always)]
     fn screen(self, stored: Self, alpha: Alpha) -> Self {
         Rgb565::from(self).screen(stored.into(), alpha).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Channels for Rgb565Be {
+    type Varyings = [u16; 3];
+
+    #[inline(always)]
+    fn varyings(rgb: [u32; 3]) -> [u16; 3] {
+        Rgb565::varyings(rgb)
+    }
+
+    #[inline(always)]
+    fn of(sample: [U16F16; 3]) -> Self {
+        Rgb565::of(sample).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Dither for Rgb565Be {
+    #[inline(always)]
+    fn dithered<const SIZE: usize>(color: impl FullColor, column: i32, row: i32) -> Self {
+        Rgb565::dithered::<SIZE>(color, column, row).into()
     }
 }
 

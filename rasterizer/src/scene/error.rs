@@ -33,6 +33,8 @@ pub enum ProjectError {
     /// The shader reads texture coordinates of 16 bits, and those of the mesh have more: give the
     /// shader `with_wide_coordinates()`.
     WideTextureCoordinates,
+    /// The shader reads colours of vertices, and the mesh has none: convert a model that has them.
+    NoVertexColors,
     /// The object is too large for how near it comes.
     Pose(PoseError),
 }
@@ -67,6 +69,9 @@ impl core::fmt::Display for ProjectError {
             Self::WideTextureCoordinates => f.write_str(
                 "the shader reads texture coordinates of 16 bits, and those of the mesh have more: \
                  give it `with_wide_coordinates()`",
+            ),
+            Self::NoVertexColors => f.write_str(
+                "the shader needs colours of vertices, which the mesh was converted without",
             ),
             Self::Pose(error) => error.fmt(f),
         }
@@ -118,6 +123,8 @@ pub(super) const fn check_tables(
         && !matches!(tables.texture_coordinates, TextureCoordinates::I16(_))
     {
         Err(ProjectError::WideTextureCoordinates)
+    } else if required.vertex_colors && tables.vertex_colors.is_empty() {
+        Err(ProjectError::NoVertexColors)
     } else {
         Ok(())
     }

@@ -9,8 +9,11 @@
 //! Colours are computed in the values that pictures store, without a gamma curve, as small displays
 //! expect.
 
+mod colored;
+mod dithered;
 mod faded;
 mod flat;
+mod fog;
 mod gouraud;
 mod light;
 mod lit;
@@ -20,8 +23,13 @@ mod textured;
 mod textured_flat;
 mod textured_gouraud;
 
+pub use colored::{Colored, ColoredGouraud};
+pub use dithered::{Dithered, DitheredFace, DitheredPixel};
 pub use faded::{Faded, FadedPixel};
 pub use flat::{Flat, Unlit};
+#[doc(hidden)]
+pub use fog::SeenFog;
+pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged, FoggedFace};
 pub use gouraud::Gouraud;
 pub use light::{Level, Light};
 pub use ramp::Ramp;

@@ -50,14 +50,14 @@ const LAYERS: By<[u16; 3], Layer<Rgb888>> = By {
 
 /// A cube that is blended with a ball that it cuts into. Its pixels have the colours of
 /// [`Position`] and these alphas.
-fn blends<D: Framed, Sh: Shader<Color = Rgb888>, B: Copy>(
+fn blends<D: Framed, Sh: Shader<Color = Rgb888>, B>(
     shader: &Sh,
     blending: B,
     formula: Formula,
     alpha: fn(Point) -> Alpha,
     keeps_depth: bool,
 ) where
-    for<'f, 'd> B: Blending<Frame<'f, Rgb888, D::Buffer<'d>>>,
+    B: Copy + for<'f, 'd> Blending<Frame<'f, Rgb888, D::Buffer<'d>>>,
 {
     let (ball, cube) = (ball(), cube());
     let (ball, cube) = (ball.mesh(), cube.mesh());

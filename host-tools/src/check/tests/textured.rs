@@ -59,6 +59,7 @@ fn checker(model: &Model, texture: Mipmaps) -> Checker<'_> {
 const VIEW: View = View {
     perspective: Correction::EveryPixel,
     filter: Filter::Nearest,
+    fog: None,
     shading: Shading::Textured,
     ..FRONT
 };
