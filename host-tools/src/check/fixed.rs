@@ -120,8 +120,8 @@ pub(super) struct Placed<const N: usize, C> {
     pub(super) fog: Option<SeenPicture>,
 }
 
-/// Draws a model by the core, in the fog of the view. `placed` returns the reference's varyings of a
-/// corner.
+/// Draws a model by the core, in the fog of the view. `placed` returns the reference's varyings of
+/// a corner.
 pub(super) fn place<const N: usize, Sh>(
     model: &Model,
     view: &View,

@@ -44,6 +44,7 @@
 //! |---|---|---|
 //! | view transform, projection | `camera.rs` | similar triangles |
 //! | light level of a normal | `light.rs` | Lambert's cosine law |
+//! | several lights, highlights | `lights.rs` | Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
 //! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
@@ -70,6 +71,7 @@ mod fog;
 mod footprint;
 mod interpolate;
 mod light;
+mod lights;
 mod mesh;
 mod mipmaps;
 mod picture;
@@ -92,6 +94,7 @@ pub use depth::DepthFormat;
 pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
 pub use light::Light;
+pub use lights::{Finish, Lamp, Lights, Sun, Viewer};
 pub use mesh::{Corner, Culling, Mesh};
 pub use mipmaps::Mipmaps;
 pub use picture::{Fragment, Picture};

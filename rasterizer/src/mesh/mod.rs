@@ -56,8 +56,8 @@ pub struct Tables<'a> {
     pub face_normals: Normals<'a>,
     /// The texture coordinates of each vertex: none, or as many as `positions`.
     pub texture_coordinates: TextureCoordinates<'a>,
-    /// The colour of each vertex: none, or as many as `positions`. Red, green and blue, 0 to 255, as
-    /// stored in pictures (sRGB).
+    /// The colour of each vertex: none, or as many as `positions`. Red, green and blue, 0 to 255,
+    /// as stored in pictures (sRGB).
     pub vertex_colors: &'a [[u8; 3]],
     /// The vertices of each triangle.
     pub triangles: Triangles<'a>,

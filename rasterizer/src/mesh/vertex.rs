@@ -132,6 +132,19 @@ impl<'a> MeshFace<'a> {
         self.index
     }
 
+    /// The mean of its corners' positions, in quanta of the mesh, within one of them.
+    #[inline(always)]
+    #[must_use]
+    pub fn center(&self) -> [i16; 3] {
+        let corners = self.tables.triangles.get(self.index).unwrap_or_default();
+        let corners = corners.map(|corner| self.tables.positions.get(corner).unwrap_or_default());
+        // A third is 21,845 / 2^16 within 2^-17.6. The product fits: a sum is -98,304 to 98,301.
+        [0, 1, 2].map(|axis| {
+            let sum: i32 = corners.iter().map(|corner| i32::from(corner[axis])).sum();
+            ((sum * 21_845 + (1 << 15)) >> 16) as i16
+        })
+    }
+
     /// Its normal in object space, 127 standing for 1; zero if the mesh has none.
     #[inline(always)]
     #[must_use]

@@ -2,7 +2,10 @@
 
 use core::marker::PhantomData;
 
-use super::{Light, Sample, Shader, lit::Lit};
+use super::{
+    Light, Lighting, Sample, Shader,
+    lit::{Lit, vertex_level},
+};
 use crate::{
     attribute::{Affine, Correction, PerspectiveCorrect},
     color::{Channels, to_q16},
@@ -82,28 +85,28 @@ const COLORS: RequiredTables = RequiredTables { vertex_colors: true, ..RequiredT
 ///
 /// Interpolated and rounded like [`Colored`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct ColoredGouraud<C, M = Affine> {
-    lit: Lit<C>,
+pub struct ColoredGouraud<C, M = Affine, L = Light> {
+    lit: Lit<C, L>,
     mode: PhantomData<M>,
 }
 
-impl<C> ColoredGouraud<C> {
+impl<C, L> ColoredGouraud<C, Affine, L> {
     /// Lit by `light`, linear on the screen.
     #[must_use]
-    pub const fn new(light: Light) -> Self {
+    pub const fn new(light: L) -> Self {
         Self { lit: Lit::by(light), mode: PhantomData }
     }
 }
 
-impl<C: Copy, M> ColoredGouraud<C, M> {
+impl<C: Copy, M, L: Copy> ColoredGouraud<C, M, L> {
     /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
     #[must_use]
-    pub const fn corrected<N: Correction>(self, _: N) -> ColoredGouraud<C, N> {
+    pub const fn corrected<N: Correction>(self, _: N) -> ColoredGouraud<C, N, L> {
         ColoredGouraud { lit: self.lit, mode: PhantomData }
     }
 }
 
-impl<C: Channels, M: Correction> Shader for ColoredGouraud<C, M> {
+impl<C: Channels, M: Correction, L: Lighting> Shader for ColoredGouraud<C, M, L> {
     type Color = C;
     type Varyings = PerspectiveCorrect<C::Varyings, M>;
     type Surface = ();
@@ -120,7 +123,7 @@ impl<C: Channels, M: Correction> Shader for ColoredGouraud<C, M> {
 
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings {
-        let level = self.lit.light.level(vertex.normal());
+        let level = vertex_level(&self.lit.light, vertex);
         PerspectiveCorrect::new(C::varyings(vertex.color().map(|channel| lit(channel, level))))
     }
 

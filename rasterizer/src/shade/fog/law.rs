@@ -7,8 +7,8 @@
 //! distance has 2,048 of them. The table has the amount of fog at every 2^shift-th code over the
 //! octaves in which it changes, and is interpolated in between, where 1 / w is linear in the code.
 //! Before and behind them the amount is that of the first and of the last entry. Entries are those
-//! of the law without its bounds of 0 and 1, which are put to the interpolated amount: so the ends of
-//! a linear fog are as sharp as they are.
+//! of the law without its bounds of 0 and 1, which are put to the interpolated amount, so that a
+//! linear fog keeps its sharp ends.
 //!
 //! # Error
 //!
@@ -256,7 +256,7 @@ mod tests {
 
     use super::*;
 
-    /// What the definitions say, in f64, at a distance.
+    /// The definitions, in f64.
     enum Definition {
         Linear(f64, f64),
         Exponential(f64),
