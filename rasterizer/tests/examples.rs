@@ -33,6 +33,8 @@ macro_rules! examples {
 examples! {
     bands = "../examples/bands.rs",
     blending = "../examples/blending.rs",
+    blending_modes = "../examples/blending_modes.rs",
+    clouds = "../examples/clouds.rs",
     cutout = "../examples/cutout.rs",
     depth_formats = "../examples/depth_formats.rs",
     direct = "../examples/direct.rs",
@@ -41,6 +43,8 @@ examples! {
     dma_stream = "../examples/dma_stream.rs",
     filters = "../examples/filters.rs",
     flat = "../examples/flat.rs",
+    glass = "../examples/glass.rs",
+    glow = "../examples/glow.rs",
     gouraud = "../examples/gouraud.rs",
     lit_texture = "../examples/lit_texture.rs",
     needs = "../examples/needs.rs",

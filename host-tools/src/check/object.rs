@@ -154,7 +154,7 @@ impl<C: Copy + Into<Rgb888>, D: DefinedDepth> Drawn<C, D> {
     }
 }
 
-/// Draws a projected object by the core into the colours of its shader, over black.
+/// Draws a projected object by the core into the colours of its shader.
 pub(super) fn draw_colors<V, P, Sh, M, O>(
     projected: &Projected<'_, V, P, Sh, M, O>,
     area: Rectangle,
@@ -167,25 +167,8 @@ where
     M: Mode,
     O: Order,
 {
-    draw_over(projected, area, Rgb888::BLACK)
-}
-
-/// Draws a projected object by the core into the colours of its shader, over a background.
-pub(super) fn draw_over<V, P, Sh, M, O>(
-    projected: &Projected<'_, V, P, Sh, M, O>,
-    area: Rectangle,
-    background: Rgb888,
-) -> Result<Drawn<Sh::Color, V::Depth>, FrameError>
-where
-    for<'f> M::Blending: Blending<Frame<'f, Sh::Color, &'f mut [V::Depth]>>,
-    V: Vertices<OnScreen<Sh>, Depth: DefinedDepth>,
-    P: Projection,
-    Sh: Shader<Color: StoredColor + From<Rgb888>>,
-    M: Mode,
-    O: Order,
-{
     let pixels = area.size.width as usize * area.size.height as usize;
-    let mut color = vec![Sh::Color::from(background); pixels];
+    let mut color = vec![Sh::Color::from(Rgb888::BLACK); pixels];
     let mut depth = vec![V::Depth::ZERO; pixels];
     let start = Instant::now();
     let mut frame = Frame::new(&mut color, &mut depth, area)?;
