@@ -104,6 +104,11 @@ impl Shading {
         matches!(self, Self::GlossyGouraud | Self::Phong | Self::PhongNear)
     }
 
+    /// Whether the reference has the colour of each layer, and not of the nearest one only.
+    pub(super) fn has_plain_layers(self) -> bool {
+        !self.is_textured() && !self.is_shiny() && self != Self::Matcap
+    }
+
     /// Whether it reads texture coordinates.
     #[must_use]
     pub const fn is_textured(self) -> bool {

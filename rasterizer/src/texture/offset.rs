@@ -2,7 +2,7 @@
 
 use fixed::types::I8F24;
 
-use super::{Levels, Mipmapped, Place, Quad, TexelMap, Wrap};
+use super::{CoordinateFormat, Levels, Mipmapped, Place, Quad, TexelMap, Wrap};
 
 /// A texture whose coordinates have an offset that is known at run time: a scrolling one, or
 /// another part of an atlas. Tables stay as they are, and a scene without one has no code for it;
@@ -61,7 +61,7 @@ where
 {
     type Texels = T::Texels;
     type Place = T::Place;
-    type Coordinates<C: super::CoordinateFormat> = T::Coordinates<C>;
+    type Coordinates<C: CoordinateFormat> = T::Coordinates<C>;
 
     #[inline(always)]
     fn texels(&self) -> &T::Texels {
@@ -149,7 +149,7 @@ mod tests {
         let mirror: Texture<Colors<'_, u16, 256>, SIDE, SIDE, Mirror, Mirror> =
             Texture::new(Colors::new(TEXELS.first_chunk().unwrap()));
         for step in 0..4_096 {
-            let place = step * 1_537 << 8;
+            let place = (step * 1_537) << 8;
             for repeats in [-128, -64, -2, 2, 64, 126] {
                 let by = [I8F24::from_bits(repeats << 24); 2];
                 let (at, wide) = (Place::new([place, -place]), Place::new([place, -place]));
