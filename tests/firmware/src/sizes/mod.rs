@@ -10,6 +10,7 @@
 
 mod display;
 mod frames;
+mod light;
 pub mod scenes;
 mod textured;
 

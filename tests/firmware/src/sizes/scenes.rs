@@ -18,6 +18,7 @@ use rasterizer::{
     shade::{Flat, Gouraud, Level, Light, Unlit},
 };
 
+pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };
