@@ -121,7 +121,7 @@ fn normals_of_pixels_are_within_half_a_degree() {
         let object = Object::new(&mesh, shader).culled(CullNone);
         let Ok(projected) = object.project(&camera, &mut storage) else { continue };
         let nothing = Seen([I16F16::ZERO; 3]);
-        let mut color = [nothing; 96 * 80];
+        let mut color = vec![nothing; 96 * 80];
         let mut depth = [0; 96 * 80];
         let mut frame = Frame::new(&mut color, &mut depth, SCREEN).unwrap();
         projected.draw(&mut frame).unwrap();

@@ -18,6 +18,7 @@ use super::{
     any_texture::AnyFilter,
     fixed::{self, Drawn},
     lights::total,
+    matcap,
     places::FaceColors,
     quantised_positions,
     shiny::{self, Definition},
@@ -52,6 +53,8 @@ pub enum Shading {
     Colored,
     /// The colours of the vertices, lit there and interpolated.
     ColoredGouraud,
+    /// The picture of a ball of copper, looked up by the normal.
+    Matcap,
     /// The material's texture, without light.
     Textured,
     /// The texture, lit by the triangle's normal.
@@ -62,7 +65,7 @@ pub enum Shading {
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 11] = [
+    pub const NAMES: [(&'static str, Self); 12] = [
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
         ("unlit", Self::Unlit),
@@ -71,6 +74,7 @@ impl Shading {
         ("phong-near", Self::PhongNear),
         ("colored", Self::Colored),
         ("colored-gouraud", Self::ColoredGouraud),
+        ("matcap", Self::Matcap),
         ("textured", Self::Textured),
         ("textured-flat", Self::TexturedFlat),
         ("textured-gouraud", Self::TexturedGouraud),
@@ -99,6 +103,11 @@ impl Shading {
     #[must_use]
     pub const fn is_shiny(self) -> bool {
         matches!(self, Self::GlossyGouraud | Self::Phong | Self::PhongNear)
+    }
+
+    /// Whether the reference has the colour of each layer, and not of the nearest one only.
+    pub(super) fn has_plain_layers(self) -> bool {
+        !self.is_textured() && !self.is_shiny() && self != Self::Matcap
     }
 
     /// Whether it reads texture coordinates.
@@ -134,6 +143,7 @@ pub(super) fn draw<'a>(
         (Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud, _) => {
             draw_textured(model, surface, skins, view)
         }
+        (Shading::Matcap, _) => matcap::draw((model, surface, skins), view),
         (Shading::Unlit | Shading::Colored | Shading::ColoredGouraud, _) => {
             draw_colored(model, surface, view)
         }
@@ -308,6 +318,7 @@ fn draw_textured<'a>(
     let core_lights = view.lights.core();
     let textures = skins.filtered(view.filter);
     let all = (model, surface, skins);
+    let texture_of = |material: usize| &skins.textures[material];
     let file_uv = |corner: Corner| {
         let all = &model.exact.faces.texture_coordinates;
         all.get(corner.vertex).copied().unwrap_or_default()
@@ -322,6 +333,7 @@ fn draw_textured<'a>(
             let (levels, file_levels) = flat_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
@@ -338,6 +350,7 @@ fn draw_textured<'a>(
             let levels = corner_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |(seen, _)| Some(seen.value.uv()),
@@ -356,6 +369,7 @@ fn draw_textured<'a>(
                 .with_wide_coordinates();
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
@@ -399,6 +413,8 @@ pub(super) fn colors(
         if view.shading.is_shiny() {
             let range = [[0.0; 3], brightest[face.material]];
             Some(FaceColors { range, levels: [0.0, 1.0] })
+        } else if view.shading == Shading::Matcap {
+            Some(matcap::colors())
         } else if view.shading.is_textured() {
             skins.colors(face.material, levels)
         } else if view.shading.is_colored() {
@@ -449,7 +465,7 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
         [low - normal, high + normal]
     };
     match view.shading {
-        Shading::Unlit | Shading::Colored | Shading::Textured => {
+        Shading::Unlit | Shading::Colored | Shading::Matcap | Shading::Textured => {
             vec![[1.0, 1.0]; faces.faces.len()]
         }
         // Where its middle lies, depends on how a face is cut.

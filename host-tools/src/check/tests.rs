@@ -3,9 +3,12 @@
 
 use std::fs;
 
+mod blending;
 mod colored;
+mod display;
 mod filter;
 mod fog;
+mod matcap;
 mod shiny;
 mod textured;
 
@@ -89,6 +92,10 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    display: None,
+    blending: Blending::Replace,
+    background: BACKGROUND,
+    opacity: 1.0,
     fog: None,
     lights: ViewLights::OVER_THE_SHOULDER,
 };

@@ -13,7 +13,9 @@ use rasterizer::{
     shade,
 };
 
-use super::{Correction, DepthFormat, Filter, Fog, Shading, ViewLights};
+use super::{
+    BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights,
+};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -81,8 +83,16 @@ pub struct View {
     pub perspective: Correction,
     /// How a colour is taken from a texture.
     pub filter: Filter,
+    /// The display that shows the picture; `None` for one with all of its colours.
+    pub display: Option<Display>,
     /// What lights the model.
     pub lights: ViewLights,
+    /// How pixels are put onto the picture.
+    pub blending: Blending,
+    /// What blended pixels lie on.
+    pub background: [u8; 3],
+    /// What the opacity of all materials is multiplied by where pixels are blended, from 0 to 1.
+    pub opacity: f64,
     /// What colours fade into with the distance.
     pub fog: Option<Fog>,
 }
@@ -104,7 +114,11 @@ impl Default for View {
             shading: Shading::default(),
             perspective: Correction::default(),
             filter: Filter::default(),
+            display: None,
             lights: ViewLights::default(),
+            blending: Blending::default(),
+            background: BACKGROUND,
+            opacity: 1.0,
             fog: None,
         }
     }
@@ -233,7 +247,7 @@ impl View {
 
     /// The distance of a pixel in the reference from its depth. In a parallel projection fog sees
     /// all of them at the near plane.
-    pub(super) fn fog_distance(&self, depth: f64) -> f64 {
+    pub(super) const fn fog_distance(&self, depth: f64) -> f64 {
         match self.projection {
             Projection::Perspective { .. } => self.near / depth,
             Projection::Orthographic { .. } => self.near,
@@ -248,7 +262,7 @@ impl View {
     }
 
     /// Where the viewer is.
-    pub(super) fn reference_viewer(&self) -> reference::Viewer {
+    pub(super) const fn reference_viewer(&self) -> reference::Viewer {
         match self.projection {
             Projection::Perspective { .. } => reference::Viewer::At([0.0, 0.0, self.distance]),
             Projection::Orthographic { .. } => reference::Viewer::Toward([0.0, 0.0, 1.0]),

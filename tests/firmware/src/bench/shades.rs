@@ -1,5 +1,7 @@
 //! The bench scenes of light, colour, blending and fog.
 
+mod color;
+mod fog;
 mod light;
 
 pub(crate) use light::LAMP;
@@ -28,6 +30,8 @@ pub fn main<const SET_UP: bool>() {
         let mut scenes = Scenes::<SET_UP> { bench: Bench(memory), camera: view("400", "2.4") };
         scenes.base();
         scenes.light();
+        scenes.colors();
+        scenes.fog();
     });
 }
 
