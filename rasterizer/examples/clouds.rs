@@ -130,7 +130,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
             (Vec3::lit("0.4", "-0.65", "0.7"), Distance::lit("0.8")),
         ]
     } {
-        let cloud = cloud.clone().posed(Pose::IDENTITY.at(place).scaled(size));
+        let cloud = cloud.posed(Pose::IDENTITY.at(place).scaled(size));
         cloud.draw(&camera, &mut vertices, &mut frame)?;
     }
     frame.present(screen)?;

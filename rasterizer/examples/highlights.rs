@@ -35,7 +35,6 @@ static BALLS: [Mesh<'static>; 3] = [
     shiny(&[Finish::MATTE.with_specular([230; 3], 30)]),
     shiny(&[Finish::MATTE.with_specular([230; 3], 120)]),
 ];
-const VERTICES: usize = BALLS[0].vertex_count();
 
 static COLOR: ConstStaticCell<[Rgb565; 240 * 240]> = ConstStaticCell::new([PAPER; 240 * 240]);
 static DEPTH: ConstStaticCell<[u16; 240 * 240]> = ConstStaticCell::new([0; 240 * 240]);
@@ -47,14 +46,12 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let [up, down] = const { [Vec3::lit("0", "0.45", "0"), Vec3::lit("0", "-0.45", "0")] };
     let size = Pose::IDENTITY.scaled(const { Distance::lit("0.33") });
     for (ball, place) in BALLS.iter().zip(places) {
-        let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; VERTICES];
         let by_vertex = Object::new(ball, GlossyGouraud::new(LIGHT)).posed(size.at(place + up));
-        by_vertex.draw(&camera, &mut vertices, &mut frame)?;
+        by_vertex.project_on_demand(&camera, S4)?.draw(&mut frame)?;
 
         // Vertices carry normals, with near / w: these are interpolated in perspective.
-        let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; VERTICES];
         let by_pixel = Object::new(ball, Phong::new(LIGHT)).posed(size.at(place + down));
-        by_pixel.draw(&camera, &mut vertices, &mut frame)?;
+        by_pixel.project_on_demand(&camera, S4)?.draw(&mut frame)?;
     }
     frame.present(screen)?;
     Ok(())

@@ -49,10 +49,9 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let turned = Rotation::about_z(Turn::degrees(25)) * Rotation::about_x(-Turn::degrees(12));
     let pose = Pose::rotated(turned).scaled(const { Distance::lit("0.95") });
     let shader = Phong::new([WINDOW, SPOT]);
-    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; BALL.vertex_count()];
     let mut frame = Frame::new(COLOR.take(), DEPTH.take(), SCREEN)?;
     let object = Object::new(&BALL, shader).posed(pose);
-    object.draw(&camera(SCREEN)?, &mut vertices, &mut frame)?;
+    object.project_on_demand(&camera(SCREEN)?, S4)?.draw(&mut frame)?;
     frame.present(screen)?;
     Ok(())
 }
