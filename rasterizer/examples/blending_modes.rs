@@ -54,7 +54,8 @@ pub(crate) fn draw(screen: &mut common::Screen) -> Result {
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];
     rocket.draw(&camera, &mut vertices, &mut frame)?;
 
-    // Each mode is a type, so that an object's pixels are blended by the code of its own mode alone.
+    // Each mode is a type, so that an object's pixels are blended by the code of its own mode
+    // alone.
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; PANE.vertex_count()];
     let pane = |x: &str, y: &str| -> Result<_> {
         let at = Vec3::new(x.parse()?, y.parse()?, Scalar::lit("0.6"));

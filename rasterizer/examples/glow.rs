@@ -1,8 +1,8 @@
 //! A flame that adds light and fades along its way: `KeepDepth(Add(..))`, with an alpha by vertex,
 //! `Faded`.
 //!
-//! Sums do not depend on their order, and nothing behind the flame is hidden by its depth: its cones
-//! are drawn as they come.
+//! Sums do not depend on their order, and nothing behind the flame is hidden by its depth: its
+//! cones are drawn as they come.
 //!
 //! `cargo run -p rasterizer --example glow`
 

@@ -8,12 +8,12 @@ use std::{
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
-    attribute::FloatDepth,
+    attribute::{FloatDepth, NoDepth},
     camera::Camera,
     color::Composite,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
-    output::{KeepDepth, MaterialOpacity, StoredColor},
+    output::{Frame, MaterialOpacity, StoredColor},
     scene::Object,
     shade::{Fogged, OnScreen, Shader},
     texture::Texel,
@@ -236,35 +236,36 @@ where
         colors: drawn.color,
         blended: match view.blending {
             Blending::Replace => None,
-            Blending::By(blend) => Some(blended(&object, (view, blend), camera, &mut storage)?),
+            Blending::By(blend) => Some(blended::<S, _, _>(&object, (view, blend), camera)?),
         },
         fog,
     })
 }
 
-/// Draws a model blended with itself, from back to front, and keeps its layers.
-fn blended<S, D, P, Sh>(
+/// Draws a model blended with itself, from back to front, and keeps its layers. Without depth: all
+/// of them are seen, and the code is compiled once for all formats of depth.
+fn blended<S, P, Sh>(
     object: &Object<'_, Sh>,
     (view, blend): (&View, Blend),
     camera: &Camera<P>,
-    storage: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
 ) -> Result<Layers, ViewError>
 where
     S: numbers::Subpixel,
-    D: DefinedDepth,
     P: geometry::Projection,
     Sh: Shader<Color: ShownColor>,
 {
     let layers = RefCell::default();
     let factor = MaterialOpacity::times(blending::alpha(view.opacity));
-    let recorder = Recorder { blend, factor, layers: &layers };
-    let object = object.clone().blended(KeepDepth(recorder));
+    let object = object.clone().blended(Recorder { blend, factor, layers: &layers });
     let count = object.mesh().triangle_count();
     let mut order = vec![0; count];
-    let projected = object.project(camera, storage)?.back_to_front(&mut order)?;
+    let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
+    let projected = projected.back_to_front(&mut order)?;
     let [red, green, blue] = view.background;
-    let drawn = object::draw_over(&projected, view.area(), Rgb888::new(red, green, blue))?;
-    let colors = drawn.color.into_iter().map(Into::into);
+    let pixels = view.size.iter().map(|&side| side as usize).product();
+    let mut colors = vec![Sh::Color::from(Rgb888::new(red, green, blue)); pixels];
+    let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
+    let colors = colors.into_iter().map(Into::into);
     let order = projected.order().triangles();
     Ok(Layers::new((view, blend), colors, &layers.borrow(), order, count))
 }

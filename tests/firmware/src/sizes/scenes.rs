@@ -18,6 +18,7 @@ use rasterizer::{
     shade::{Flat, Gouraud, Level, Light, Unlit},
 };
 
+pub use super::blended::{BlendedOver, BlendedSorted};
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };
