@@ -48,8 +48,8 @@ impl Shader for Perforated {
     const TABLES: RequiredTables =
         RequiredTables { vertex_normals: true, texture_coordinates: true, ..RequiredTables::NONE };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self(self.0.for_object(pose))
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self(self.0.for_object(view.pose()))
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {

@@ -45,8 +45,8 @@ impl Shader for Contours {
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 
     /// Once a frame: with the light as the turned object sees it, normals need not be turned.
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self(self.0.for_object(pose))
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self(self.0.for_object(view.pose()))
     }
 
     /// Once for each material.

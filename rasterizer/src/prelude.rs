@@ -3,7 +3,7 @@
 pub use crate::{
     attribute::{FloatDepth, NoDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
-    geometry::{ClipAll, ClipNone, CullBack, CullFront, CullNone, Pose, ScreenVertex},
+    geometry::{ClipAll, ClipNone, CullBack, CullFront, CullNone, ObjectView, Pose, ScreenVertex},
     mesh::Mesh,
     numbers::{Rotation, S4, S8, Scalar, Turn, Vec3},
     output::{Bands, Direct, Frame, Rgb565Be},

@@ -35,6 +35,7 @@ named![
     Needs,
     NoDepth,
     Object,
+    ObjectView,
     Orthographic,
     Perspective,
     Pose,

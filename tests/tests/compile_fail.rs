@@ -30,24 +30,50 @@ fn compile(file: &str, options: &[&str]) -> Output {
         .unwrap()
 }
 
+/// Compiles a file, which succeeds, and with another option, which fails with one error that has
+/// these words.
+fn fails(file: &str, right: &[&str], wrong: &[&str], words: &[&str]) {
+    let compiled = compile(file, right);
+    let told = String::from_utf8_lossy(&compiled.stderr);
+    assert!(compiled.status.success(), "{told}");
+
+    let refused = compile(file, wrong);
+    let told = String::from_utf8_lossy(&refused.stderr);
+    assert!(!refused.status.success(), "{file} compiles with {wrong:?}");
+    for words in words {
+        assert!(told.contains(words), "\"{words}\" is not in:\n{told}");
+    }
+    assert_eq!(told.matches("error[").count(), 1, "{told}");
+}
+
+const UNREADABLE: [&str; 4] = [
+    "error[E0277]: the pixels of `",
+    "` cannot be read, so nothing can be blended with them",
+    "its pixels cannot be read",
+    "a display only takes pixels: blend in a `Frame` or in `Bands`, and send those",
+];
+
 /// A display's pixels cannot be read: the compiler tells so, and where blending is possible. The
 /// same program compiles for a frame.
 #[test]
 fn nothing_is_blended_with_a_display() {
-    let onto_frame = compile("blend.rs", &["--cfg=readable"]);
-    let told = String::from_utf8_lossy(&onto_frame.stderr);
-    assert!(onto_frame.status.success(), "{told}");
+    fails("blend.rs", &["--cfg=readable"], &[], &UNREADABLE);
+    fails("over.rs", &[], &["--cfg=display"], &UNREADABLE);
+}
 
-    let onto_display = compile("blend.rs", &[]);
-    let told = String::from_utf8_lossy(&onto_display.stderr);
-    assert!(!onto_display.status.success(), "blending onto a display compiles");
-    for words in [
-        "error[E0277]: the pixels of `",
-        "` cannot be read, so nothing can be blended with them",
-        "its pixels cannot be read",
-        "a display only takes pixels: blend in a `Frame` or in `Bands`, and send those",
-    ] {
-        assert!(told.contains(words), "\"{words}\" is not in:\n{told}");
-    }
-    assert_eq!(told.matches("error[").count(), 1, "{told}");
+/// A pixel that is on or off has no half: the compiler tells so, and what to do.
+#[test]
+fn nothing_is_blended_with_pixels_of_one_bit() {
+    fails(
+        "over.rs",
+        &[],
+        &["--cfg=binary"],
+        &[
+            "error[E0277]: `BinaryColor` cannot be blended with another colour",
+            "its colours cannot be mixed",
+            "a pixel of `BinaryColor` is on or off: it takes `Replace`, and a shader or texels that \
+             discard pixels",
+            "draw in `Gray8` or `Rgb888`, and dither what is sent",
+        ],
+    );
 }

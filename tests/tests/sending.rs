@@ -30,7 +30,12 @@ fn needs_are_what_drawing_takes() {
     let ball = ball();
     let mesh = ball.mesh();
     let needs = Needs::of(&mesh, DISPLAY.size, 5);
-    let want = Needs { vertices: mesh.vertex_count(), bin_words: 190, pixels: 305 };
+    let want = Needs {
+        vertices: mesh.vertex_count(),
+        bin_words: 190,
+        sort_words: mesh.triangle_count(),
+        pixels: 305,
+    };
     assert_eq!(needs, want);
     // A vertex with depth and light has 12 bytes, a word 4, and a pixel 4 of colour and 2 of depth.
     let bytes = needs.vertices * 12 + 190 * 4 + 305 * 6;

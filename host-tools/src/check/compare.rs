@@ -1,6 +1,6 @@
 //! Differences, in numbers.
 
-use super::{FixedPicture, Places, Texels};
+use super::{Blended, DisplayOutcome, FixedPicture, NormalErrors, Places, Texels};
 use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
@@ -34,6 +34,12 @@ pub struct Comparison {
     /// Of the texture coordinates, on the core's own vertices; `None` without a texture.
     #[cfg_attr(feature = "cli", serde(flatten))]
     pub texels: Option<Texels>,
+    /// Of the normals of pixels, on the core's own vertices; `None` without light at pixels.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub normals: Option<NormalErrors>,
+    /// Of the blended layers, on the core's own vertices; `None` without blending.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub blend: Option<Blended>,
     /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
     /// How long the reference takes on this machine, in milliseconds.
@@ -72,6 +78,9 @@ pub struct Outcome {
     pub end_to_end: Comparison,
     /// Against the same, pixel by pixel, where vertices cannot be the cause.
     pub places: Places,
+    /// What a display shows of it; `None` without one.
+    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
+    pub display: Option<DisplayOutcome>,
 }
 
 /// How far the arithmetic may be off. The bounds follow from the number formats and hold for every
@@ -118,23 +127,27 @@ impl Vertices {
 }
 
 impl Comparison {
-    /// Whether the picture keeps the bounds, and each vertex and each texture coordinate its own.
+    /// Whether the picture keeps the bounds, and each vertex, each texture coordinate, each normal
+    /// and each blended colour its own.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.deviation.is_within(bounds)
             && self.vertices.are_within()
             && self.texels.is_none_or(|texels| texels.are_within())
+            && self.normals.is_none_or(|normals| normals.are_within())
+            && self.blend.is_none_or(|blend| blend.is_within(bounds.color_max_error))
     }
 }
 
 impl Outcome {
-    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, and no
-    /// pixel is wrong by its place.
+    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, no
+    /// pixel is wrong by its place, and a display shows the right steps.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.arithmetic.is_within(bounds)
             && self.end_to_end.vertices.are_within()
             && self.places.wrong == 0
+            && self.display.is_none_or(|display| display.is_within())
     }
 
     /// Whether one of the pictures covers a pixel.

@@ -1,28 +1,35 @@
 //! The fixed-point picture of a model in a view, by the same tables and the same calls as on a
 //! microcontroller.
 
-use std::time::{Duration, Instant};
+use std::{
+    cell::RefCell,
+    time::{Duration, Instant},
+};
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
-    attribute::FloatDepth,
+    attribute::{FloatDepth, NoDepth},
     camera::Camera,
+    color::Composite,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
-    output::StoredColor,
+    output::{Frame, MaterialOpacity, StoredColor},
     scene::Object,
-    shade::{OnScreen, Shader},
+    shade::{Fogged, OnScreen, Shader},
+    texture::Texel,
 };
 
 use super::{
-    DefinedDepth, DepthFormat, Texels,
+    Blending, DefinedDepth, DepthFormat, NormalErrors, Texels,
+    blending::{self, Layers, Recorder},
+    fog::{self, AnyFog, SeenPicture},
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
     view::{Projection, Subpixel, View, ViewError},
 };
 use crate::{
     model::Model,
-    reference::{self, Corner, Picture, Sample, ScreenTriangle},
+    reference::{self, Blend, Corner, Picture, Sample, ScreenTriangle},
 };
 
 /// A frame by the core, and how the reference draws it.
@@ -33,6 +40,8 @@ pub(super) struct Drawn<'a> {
     pub(super) vertices: Vec<Option<[f64; 2]>>,
     /// How long the core takes for vertices and triangles.
     pub(super) time: Duration,
+    /// The model blended with itself, if the view blends.
+    pub(super) blended: Option<Layers>,
     /// Draws the reference on the core's own vertices, with depth from 0 to 1, and judges texture
     /// coordinates. It is given the core's picture, because some pixels have several right colours.
     pub(super) arithmetic: Box<dyn FnOnce(&FixedPicture) -> Arithmetic + 'a>,
@@ -40,15 +49,15 @@ pub(super) struct Drawn<'a> {
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
 
-/// The reference on the core's own vertices, and how far texture coordinates are off it.
-pub(super) type Arithmetic = (Picture, Option<Texels>);
+/// The reference on the core's own vertices, and how far texture coordinates and normals are off.
+pub(super) type Arithmetic = (Picture, Option<Texels>, Option<NormalErrors>);
 
 /// Draws a model by the core.
 ///
 /// The reference interpolates what `placed` returns for a triangle and the stored varyings of a
 /// corner, and `shade` colours it. From the faces of the file it interpolates what `exact` returns
 /// for a corner of [`Surface`], and `shade_exact` colours that.
-pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
+pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888, Outcome = Rgb888>>(
     (model, surface): (&'a Model, &'a Surface),
     view: &View,
     shader: &Sh,
@@ -57,13 +66,23 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888>>(
     exact: impl Fn(Corner) -> [f64; N] + 'a,
     shade_exact: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Placed { picture, triangles, vertices, time, .. } = place(model, view, shader, placed)?;
+    let Placed { picture, triangles, vertices, time, blended, fog, .. } =
+        place(model, view, shader, placed)?;
     let size = view.size.map(|c| c as usize).into();
+    let arithmetic = move |fixed: &FixedPicture| {
+        let bare = reference::draw_screen(&triangles, size, shade);
+        let picture = match fog {
+            Some(fog) => fog.over(&bare, |pixel| fixed.color(pixel)),
+            None => bare,
+        };
+        (picture, None, None)
+    };
     Ok(Drawn {
         picture,
         vertices,
         time,
-        arithmetic: Box::new(move |_| (reference::draw_screen(&triangles, size, shade), None)),
+        blended,
+        arithmetic: Box::new(arithmetic),
         end_to_end: end_to_end((model, surface), view, exact, shade_exact),
     })
 }
@@ -79,7 +98,12 @@ pub(super) fn end_to_end<'a, const N: usize>(
     Box::new(move || {
         let (camera, mesh) = (view.reference_camera(), surface.mesh(model, &view));
         let size = view.size.map(|c| c as usize).into();
-        reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, varyings, shade)
+        let bare =
+            reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, varyings, shade);
+        match view.fog {
+            Some(fog) => fog.over(&bare, |depth| view.fog_distance(depth)),
+            None => bare,
+        }
     })
 }
 
@@ -91,14 +115,41 @@ pub(super) struct Placed<const N: usize, C> {
     pub(super) time: Duration,
     /// The colours of the picture, row by row.
     pub(super) colors: Vec<C>,
+    pub(super) blended: Option<Layers>,
+    /// Fog on the same triangles, if there is any.
+    pub(super) fog: Option<SeenPicture>,
 }
 
-/// Draws a model by the core. `placed` returns the reference's varyings of a corner.
-pub(super) fn place<const N: usize, Sh: Shader<Color: ShownColor>>(
+/// Draws a model by the core, in the fog of the view. `placed` returns the reference's varyings of
+/// a corner.
+pub(super) fn place<const N: usize, Sh>(
     model: &Model,
     view: &View,
     shader: &Sh,
     placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+) -> Result<Placed<N, Sh::Color>, ViewError>
+where
+    Sh: Shader<Color: ShownColor + Composite, Outcome: Texel<<Sh as Shader>::Color>>,
+{
+    let (Some(fog), Some(core)) = (view.fog, view.core_fog()?) else {
+        return by_projection(model, view, shader, |triangle, corner| {
+            (placed(triangle, corner), 1.0)
+        });
+    };
+    let shader = Fogged::new(shader.clone(), &core, fog.core_color().into()).computed(AnyFog);
+    let near = view.rounded().near;
+    fog::with(fog.by, || {
+        by_projection(model, view, &shader, |triangle, (corner, seen)| {
+            (placed(triangle, corner), fog::inverse_w(seen, near))
+        })
+    })
+}
+
+fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
+    model: &Model,
+    view: &View,
+    shader: &Sh,
+    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 ) -> Result<Placed<N, Sh::Color>, ViewError> {
     match view.projection {
         Projection::Perspective { field_of_view_degrees } => {
@@ -121,7 +172,7 @@ fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color: ShownCol
     view: &View,
     camera: &Camera<P>,
     shader: &Sh,
-    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 ) -> Result<Placed<N, Sh::Color>, ViewError> {
     match (view.subpixel, view.depth) {
         (Subpixel::S4, DepthFormat::U16) => {
@@ -150,7 +201,7 @@ fn by_format<const N: usize, S, D, P, Sh>(
     view: &View,
     camera: &Camera<P>,
     shader: &Sh,
-    placed: impl Fn(usize, OnScreen<Sh>) -> [f64; N],
+    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 ) -> Result<Placed<N, Sh::Color>, ViewError>
 where
     S: numbers::Subpixel,
@@ -166,7 +217,14 @@ where
     let projecting = start.elapsed();
     let drawn = object::draw_colors(&projected, view.area())?;
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-        (corner.depth().depth(), placed(triangle, corner.varyings()))
+        (corner.depth().depth(), placed(triangle, corner.varyings()).0)
+    });
+    let fog = view.rounded().fog.map(|fog| {
+        let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
+            (corner.depth().depth(), [placed(triangle, corner.varyings()).1])
+        });
+        let size = view.size.map(|c| c as usize).into();
+        SeenPicture::new(fog, &triangles, size)
     });
     let vertices =
         projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
@@ -176,5 +234,38 @@ where
         vertices,
         time: projecting + drawn.time,
         colors: drawn.color,
+        blended: match view.blending {
+            Blending::Replace => None,
+            Blending::By(blend) => Some(blended::<S, _, _>(&object, (view, blend), camera)?),
+        },
+        fog,
     })
+}
+
+/// Draws a model blended with itself, from back to front, and keeps its layers. Without depth: all
+/// of them are seen, and the code is compiled once for all formats of depth.
+fn blended<S, P, Sh>(
+    object: &Object<'_, Sh>,
+    (view, blend): (&View, Blend),
+    camera: &Camera<P>,
+) -> Result<Layers, ViewError>
+where
+    S: numbers::Subpixel,
+    P: geometry::Projection,
+    Sh: Shader<Color: ShownColor>,
+{
+    let layers = RefCell::default();
+    let factor = MaterialOpacity::times(blending::alpha(view.opacity));
+    let object = object.clone().blended(Recorder { blend, factor, layers: &layers });
+    let count = object.mesh().triangle_count();
+    let mut order = vec![0; count];
+    let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
+    let projected = projected.back_to_front(&mut order)?;
+    let [red, green, blue] = view.background;
+    let pixels = view.size.iter().map(|&side| side as usize).product();
+    let mut colors = vec![Sh::Color::from(Rgb888::new(red, green, blue)); pixels];
+    let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
+    let colors = colors.into_iter().map(Into::into);
+    let order = projected.order().triangles();
+    Ok(Layers::new((view, blend), colors, &layers.borrow(), order, count))
 }

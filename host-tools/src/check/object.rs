@@ -36,6 +36,13 @@ pub struct FixedPicture {
     pub pixels: Vec<Pixel>,
 }
 
+impl FixedPicture {
+    /// The colour of the pixel in this column and row.
+    pub(super) fn color(&self, [x, y]: [usize; 2]) -> [f64; 3] {
+        self.pixels[y * self.size[0] as usize + x].color.map(f64::from)
+    }
+}
+
 /// A pixel by the fixed-point core.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pixel {

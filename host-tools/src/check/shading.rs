@@ -5,8 +5,11 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
-    attribute::{Affine, Components, Correction as _},
-    shade::{Flat, Gouraud, Shader as _, Textured, TexturedFlat, TexturedGouraud, Unlit},
+    attribute::{Affine, Components, Correction as Mode, InverseW},
+    shade::{
+        Colored, ColoredGouraud, FarViewer, Flat, Gouraud, Lighting, NearViewer, Phong,
+        PhongCorrection, Textured, TexturedFlat, TexturedGouraud, Unlit,
+    },
     texture::TextureVarying,
 };
 
@@ -14,14 +17,18 @@ use super::{
     any_mode::{AnyMode, InAnyMode},
     any_texture::AnyFilter,
     fixed::{self, Drawn},
+    lights::total,
+    matcap,
     places::FaceColors,
+    quantised_positions,
+    shiny::{self, Definition},
     skins::Skins,
     surface::Surface,
     textured::{self, PlacedCorner},
-    view::{View, ViewError},
+    view::{Projection, View, ViewError},
 };
 use crate::{
-    model::Model,
+    model::{Face, Model},
     reference::{Corner, Sample},
 };
 
@@ -33,8 +40,21 @@ pub enum Shading {
     /// Lit at the vertices and interpolated.
     #[default]
     Gouraud,
+    /// The same with highlights and with light of materials.
+    GlossyGouraud,
+    /// Lit at each pixel, with highlights as a far viewer sees them, or a near one if there are
+    /// lamps.
+    Phong,
+    /// The same for a viewer that each point sees in its own direction.
+    PhongNear,
     /// The material's colour.
     Unlit,
+    /// The colours of the vertices, without light.
+    Colored,
+    /// The colours of the vertices, lit there and interpolated.
+    ColoredGouraud,
+    /// The picture of a ball of copper, looked up by the normal.
+    Matcap,
     /// The material's texture, without light.
     Textured,
     /// The texture, lit by the triangle's normal.
@@ -45,19 +65,49 @@ pub enum Shading {
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 6] = [
+    pub const NAMES: [(&'static str, Self); 12] = [
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
         ("unlit", Self::Unlit),
+        ("glossy-gouraud", Self::GlossyGouraud),
+        ("phong", Self::Phong),
+        ("phong-near", Self::PhongNear),
+        ("colored", Self::Colored),
+        ("colored-gouraud", Self::ColoredGouraud),
+        ("matcap", Self::Matcap),
         ("textured", Self::Textured),
         ("textured-flat", Self::TexturedFlat),
         ("textured-gouraud", Self::TexturedGouraud),
     ];
 
-    /// What a model is drawn with unless another one is chosen: its textures, if it has any.
+    /// What a model is drawn with unless another one is chosen: its textures, or else the colours
+    /// of its vertices, if it has any.
     #[must_use]
     pub const fn of(model: &Model) -> Self {
-        if model.textures.is_some() { Self::TexturedGouraud } else { Self::Gouraud }
+        if model.textures.is_some() {
+            Self::TexturedGouraud
+        } else if model.vertex_colors.is_empty() {
+            Self::Gouraud
+        } else {
+            Self::ColoredGouraud
+        }
+    }
+
+    /// Whether it shows the colours of vertices.
+    #[must_use]
+    pub const fn is_colored(self) -> bool {
+        matches!(self, Self::Colored | Self::ColoredGouraud)
+    }
+
+    /// Whether it has highlights.
+    #[must_use]
+    pub const fn is_shiny(self) -> bool {
+        matches!(self, Self::GlossyGouraud | Self::Phong | Self::PhongNear)
+    }
+
+    /// Whether the reference has the colour of each layer, and not of the nearest one only.
+    pub(super) fn has_plain_layers(self) -> bool {
+        !self.is_textured() && !self.is_shiny() && self != Self::Matcap
     }
 
     /// Whether it reads texture coordinates.
@@ -78,7 +128,77 @@ pub(super) fn draw<'a>(
     skins: &'a Skins,
     view: &View,
 ) -> Result<Drawn<'a>, ViewError> {
-    let (core_light, light) = (View::light(), view.reference_light());
+    // One far light has its own type where that is most often used; elsewhere it is one of several,
+    // which are dark, so that fewer shaders are compiled.
+    match (view.shading, view.lights.single()) {
+        (Shading::Flat | Shading::Gouraud, Some(light)) => draw_lit(model, surface, view, light),
+        (Shading::Flat | Shading::Gouraud, None) => {
+            draw_lit(model, surface, view, view.lights.core())
+        }
+        (Shading::GlossyGouraud, _) => {
+            let definition = Definition::new((model, surface), &view.rounded(), false);
+            shiny::draw_at_vertices(definition, view, view.lights.core())
+        }
+        (Shading::Phong | Shading::PhongNear, _) => draw_at_pixels(model, surface, view),
+        (Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud, _) => {
+            draw_textured(model, surface, skins, view)
+        }
+        (Shading::Matcap, _) => matcap::draw((model, surface, skins), view),
+        (Shading::Unlit | Shading::Colored | Shading::ColoredGouraud, _) => {
+            draw_colored(model, surface, view)
+        }
+    }
+}
+
+/// [`draw`] for shaders with light at each pixel.
+fn draw_at_pixels<'a>(
+    model: &'a Model,
+    surface: &'a Surface,
+    view: &View,
+) -> Result<Drawn<'a>, ViewError> {
+    let lights = view.lights.core();
+    // With positions for lamps there are those for a near viewer too.
+    let is_near = view.shading == Shading::PhongNear || view.lights.are_near();
+    let definition = Definition::new((model, surface), &view.rounded(), is_near);
+    let over = |inverse_w: InverseW| f64::from(inverse_w.to_bits()) / 2f64.powi(32);
+    if is_near {
+        shiny::draw_at_pixels::<_, NearViewer>(
+            definition,
+            view,
+            &Phong::new(lights).with_near_viewer().with_levels(),
+            |seen| seen.value.first_chunk().map(|normal| normal.map(fixed_bits)),
+            |corner| {
+                let (corner, inverse_w) = PhongCorrection::parts::<[i16; 6]>(corner);
+                let [x, y, z, u, v, w] = corner.map(f64::from);
+                ([[x, y, z], [u, v, w]], over(inverse_w))
+            },
+        )
+    } else {
+        let (suns, _) = lights;
+        shiny::draw_at_pixels::<_, FarViewer>(
+            definition,
+            view,
+            &Phong::new(suns).with_levels(),
+            |seen| Some(seen.value.map(fixed_bits)),
+            |corner| {
+                let (normal, inverse_w) = PhongCorrection::parts::<[i16; 3]>(corner);
+                ([normal.map(f64::from), [0.0; 3]], over(inverse_w))
+            },
+        )
+    }
+}
+
+const fn fixed_bits(number: rasterizer::fixed::types::I16F16) -> i32 {
+    number.to_bits()
+}
+
+/// [`draw`] for the colours of materials with light at vertices or triangles.
+fn draw_lit<'a, L: Lighting>(
+    model: &'a Model,
+    surface: &'a Surface,
+    view: &View,
+    core_lights: L,
+) -> Result<Drawn<'a>, ViewError> {
     let colors = triangle_colors(model);
     let file_color =
         |triangle: usize| model.exact.faces.faces[surface.faces[triangle]].color.map(f64::from);
@@ -88,35 +208,65 @@ pub(super) fn draw<'a>(
     let file_lit = move |Sample { triangle, varyings: [level], .. }: Sample<1>| {
         Some(file_color(triangle).map(|channel| channel * level))
     };
+    if view.shading == Shading::Flat {
+        let (levels, file_levels) = flat_levels(model, surface, view);
+        fixed::draw(
+            (model, surface),
+            view,
+            &Flat::<Rgb888, L>::new(core_lights),
+            |triangle, []| [levels[triangle]],
+            lit,
+            move |corner: Corner| [file_levels[corner.triangle]],
+            file_lit,
+        )
+    } else {
+        let levels = corner_levels(model, surface, view);
+        fixed::draw(
+            (model, surface),
+            view,
+            &Gouraud::<Rgb888, LEVELS, L>::with_levels(core_lights),
+            |_, [place]| [ramp_level(place)],
+            lit,
+            move |corner: Corner| [levels[corner.vertex][0]],
+            file_lit,
+        )
+    }
+}
+
+/// [`draw`] for colours without light, and for those of vertices.
+fn draw_colored<'a>(
+    model: &'a Model,
+    surface: &'a Surface,
+    view: &View,
+) -> Result<Drawn<'a>, ViewError> {
     match view.shading {
-        Shading::Flat => {
-            let shader = Flat::<Rgb888>::new(core_light);
-            let turned = shader.for_object(&view.pose());
-            let normals = view.pose_points(&surface.triangle_normals(model));
-            fixed::draw(
-                (model, surface),
-                view,
-                &shader,
-                |triangle, []| [quantised_level(&turned, model.face_normals[triangle])],
-                lit,
-                move |corner: Corner| [light.level(normals[corner.triangle])],
-                file_lit,
-            )
-        }
-        Shading::Gouraud => {
+        Shading::Colored => fixed::draw(
+            (model, surface),
+            view,
+            &Colored::<Rgb888>::new(),
+            |_, corner| channels(&corner),
+            |sample: Sample<3>| Some(sample.varyings),
+            |corner: Corner| file_channels(model, corner.vertex),
+            |sample: Sample<3>| Some(sample.varyings),
+        ),
+        Shading::ColoredGouraud => {
             let levels = corner_levels(model, surface, view);
             fixed::draw(
                 (model, surface),
                 view,
-                &Gouraud::<Rgb888, LEVELS>::with_levels(core_light),
-                |_, [place]| [ramp_level(place)],
-                lit,
-                move |corner: Corner| [levels[corner.vertex][0]],
-                file_lit,
+                &ColoredGouraud::<Rgb888, Affine, _>::new(view.lights.core()),
+                |_, corner| channels(&corner),
+                |sample: Sample<3>| Some(sample.varyings),
+                move |corner: Corner| {
+                    let level = levels[corner.vertex][0];
+                    file_channels(model, corner.vertex).map(|channel| channel * level)
+                },
+                |sample: Sample<3>| Some(sample.varyings),
             )
         }
-        Shading::Unlit => {
+        _ => {
             let colors = triangle_colors(model);
+            let faces = &model.exact.faces.faces;
             fixed::draw(
                 (model, surface),
                 view,
@@ -124,13 +274,36 @@ pub(super) fn draw<'a>(
                 |_, []| [],
                 move |sample: Sample<0>| Some(colors[sample.triangle]),
                 |_| [],
-                move |sample: Sample<0>| Some(file_color(sample.triangle)),
+                |sample: Sample<0>| {
+                    Some(faces[surface.faces[sample.triangle]].color.map(f64::from))
+                },
             )
         }
-        Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
-            draw_textured(model, surface, skins, view)
-        }
     }
+}
+
+/// The levels of the triangles of the tables, and of those that the faces of the file are cut into,
+/// at their middles.
+fn flat_levels(model: &Model, surface: &Surface, view: &View) -> (Vec<f64>, Vec<f64>) {
+    let lights = view.lights.reference();
+    let mean = |corners: [[f64; 3]; 3]| {
+        [0, 1, 2].map(|i| corners.iter().map(|corner| corner[i]).sum::<f64>() / 3.0)
+    };
+    let positions = view.core_pose_points(&quantised_positions(model));
+    let normals: Vec<_> =
+        model.face_normals.iter().map(|n| n.map(|c| f64::from(c) / 127.0)).collect();
+    let triangles = model.triangles.as_triangles();
+    let levels = view.core_pose_points(&normals).into_iter().enumerate().map(|(i, normal)| {
+        let corners = triangles.get(i).unwrap_or_default();
+        lights.diffuse(mean(corners.map(|vertex| positions[vertex])), normal)
+    });
+    // There is no surface where only the core's picture is wanted.
+    let mesh = surface.mesh(model, &view.rounded());
+    let file_normals = view.pose_points(&surface.triangle_normals(model));
+    let file_levels = mesh.triangles.iter().zip(file_normals).map(|(corners, normal)| {
+        lights.diffuse(mean(corners.map(|vertex| mesh.positions[vertex])), normal)
+    });
+    (levels.collect(), file_levels.collect())
 }
 
 const MATERIALS: &str = "a model has triangles, and these have materials";
@@ -142,36 +315,34 @@ fn draw_textured<'a>(
     skins: &'a Skins,
     view: &View,
 ) -> Result<Drawn<'a>, ViewError> {
-    let (core_light, light) = (View::light(), view.reference_light());
+    let core_lights = view.lights.core();
     let textures = skins.filtered(view.filter);
     let all = (model, surface, skins);
+    let texture_of = |material: usize| &skins.textures[material];
     let file_uv = |corner: Corner| {
         let all = &model.exact.faces.texture_coordinates;
         all.get(corner.vertex).copied().unwrap_or_default()
     };
     match view.shading {
         Shading::TexturedFlat => {
-            let shader = TexturedFlat::from_slice(&textures, core_light)
+            let shader = TexturedFlat::from_slice(&textures, core_lights)
                 .expect(MATERIALS)
                 .filtered(AnyFilter)
                 .corrected(AnyMode)
                 .with_wide_coordinates();
-            let turned = Flat::<Rgb888>::new(core_light).for_object(&view.pose());
-            let normals = view.pose_points(&surface.triangle_normals(model));
+            let (levels, file_levels) = flat_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
-                |triangle, corner| {
-                    let level = quantised_level(&turned, model.face_normals[triangle]);
-                    placed_corner(&corner, level)
-                },
-                move |corner| (file_uv(corner), light.level(normals[corner.triangle])),
+                |triangle, corner| placed_corner(&corner, levels[triangle]),
+                move |corner| (file_uv(corner), file_levels[corner.triangle]),
             )
         }
         Shading::TexturedGouraud => {
-            let shader = TexturedGouraud::from_slice(&textures, core_light)
+            let shader = TexturedGouraud::from_slice(&textures, core_lights)
                 .expect(MATERIALS)
                 .filtered(AnyFilter)
                 .corrected(AnyMode)
@@ -179,6 +350,7 @@ fn draw_textured<'a>(
             let levels = corner_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |(seen, _)| Some(seen.value.uv()),
@@ -197,6 +369,7 @@ fn draw_textured<'a>(
                 .with_wide_coordinates();
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
@@ -233,65 +406,107 @@ pub(super) fn colors(
     skins: &Skins,
     view: &View,
 ) -> Vec<Option<FaceColors>> {
-    let levels = levels(model, surface, view);
     let faces = model.exact.faces.faces.iter();
-    faces
-        .zip(levels)
-        .map(|(face, levels)| {
-            if view.shading.is_textured() {
-                skins.colors(face.material, levels)
-            } else {
-                Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
-            }
-        })
+    let brightest = shiny::brightest(model);
+    let levels = levels(model, surface, view);
+    let bare = faces.zip(levels).map(|(face, levels)| {
+        if view.shading.is_shiny() {
+            let range = [[0.0; 3], brightest[face.material]];
+            Some(FaceColors { range, levels: [0.0, 1.0] })
+        } else if view.shading == Shading::Matcap {
+            Some(matcap::colors())
+        } else if view.shading.is_textured() {
+            skins.colors(face.material, levels)
+        } else if view.shading.is_colored() {
+            let corners = face.corners.clone().map(|corner| file_channels(model, corner));
+            Some(FaceColors { range: range(corners), levels })
+        } else {
+            Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
+        }
+    });
+    let Some(fog) = view.fog else { return bare.collect() };
+    bare.zip(distances(model, view))
+        .map(|(colors, distances)| Some(fog.colors(colors?, distances)))
         .collect()
+}
+
+/// The distances between which each face lies in fog, with a quantum of the tables on both sides.
+fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
+    let quantum = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
+    let (camera, faces) = (view.reference_camera(), &model.exact.faces);
+    let [near, far] = [view.near, view.far];
+    let posed = view.pose_points(&faces.positions).into_iter();
+    let all: Vec<f64> = posed.map(|p| -camera.to_view(p)[2]).collect();
+    let is_parallel = matches!(view.projection, Projection::Orthographic { .. });
+    let of_face = |face: &Face| {
+        let corners = faces.corners[face.corners.clone()].iter().map(|&p| all[p as usize]);
+        let least = corners.clone().fold(f64::INFINITY, f64::min);
+        let most = corners.fold(f64::NEG_INFINITY, f64::max);
+        if is_parallel {
+            [near; 2]
+        } else {
+            [(least - quantum).clamp(near, far), (most + quantum).clamp(near, far)]
+        }
+    };
+    faces.faces.iter().map(of_face).collect()
 }
 
 /// The levels of light that each face may have.
 fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
-    let light = view.reference_light();
+    let lights = view.lights.reference();
     let faces = &model.exact.faces;
-    let darkest = light.ambient - NORMAL;
-    let any = [darkest, 1.0];
+    // By how much the level of a normal in 127ths may be off: it lies in the unit cube about the
+    // exact one, whose diagonal is the root of 3.
+    let normal = total(&lights).min(1.0) * 1.733 / 127.0;
+    let any = [lights.ambient - normal, 1.0];
     let within = |levels: &mut dyn Iterator<Item = f64>| {
         let [low, high] = levels
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], l| [low.min(l), high.max(l)]);
-        [low - NORMAL, high + NORMAL]
+        [low - normal, high + normal]
     };
     match view.shading {
-        Shading::Unlit | Shading::Textured => vec![[1.0, 1.0]; faces.faces.len()],
-        Shading::Gouraud | Shading::TexturedGouraud => {
+        Shading::Unlit | Shading::Colored | Shading::Matcap | Shading::Textured => {
+            vec![[1.0, 1.0]; faces.faces.len()]
+        }
+        // Where its middle lies, depends on how a face is cut.
+        Shading::Flat | Shading::TexturedFlat if view.lights.are_near() => {
+            vec![any; faces.faces.len()]
+        }
+        Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())
+            .map(|face| {
+                surface.possible_normals(faces, face).map_or(any, |normals| {
+                    let normals = view.pose_points(&normals).into_iter();
+                    within(&mut normals.map(|n| lights.diffuse([0.0; 3], n)))
+                })
+            })
+            .collect(),
+        _ => {
             let levels = corner_levels(model, surface, view);
             (faces.faces.iter())
                 .map(|face| within(&mut levels[face.corners.clone()].iter().flatten().copied()))
                 .collect()
         }
-        Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())
-            .map(|face| {
-                surface.possible_normals(faces, face).map_or(any, |normals| {
-                    within(&mut view.pose_points(&normals).into_iter().map(|n| light.level(n)))
-                })
-            })
-            .collect(),
     }
 }
 
-/// By how much the level of a normal in 127ths may be off: it lies in the unit cube about the exact
-/// one, whose diagonal is the root of 3, and the light has a diffuse part below 0.85.
-const NORMAL: f64 = 0.85 * 1.733 / 127.0;
-
 /// The levels that each corner of each face may have, at least one.
 fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>> {
-    let light = view.reference_light();
-    let level = |normal| light.level(normal);
-    let of_vertices: Vec<f64> =
-        view.pose_points(&model.exact.vertex_normals).into_iter().map(level).collect();
+    let lights = view.lights.reference();
+    let positions = view.pose_points(&model.exact.positions).into_iter();
+    let of_vertices: Vec<f64> = (view.pose_points(&model.exact.vertex_normals).into_iter())
+        .zip(positions)
+        .map(|(normal, position)| lights.diffuse(position, normal))
+        .collect();
     let normals: Vec<_> =
         surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
-    let of_faces = view.pose_points(&normals).into_iter().map(level);
+    let of_faces = view.pose_points(&normals);
+    let faces = &model.exact.faces;
+    let places = view.pose_points(&faces.positions);
     let mut levels = Vec::with_capacity(surface.vertices.len());
-    for (face, of_face) in model.exact.faces.faces.iter().zip(of_faces) {
-        for vertices in &surface.vertices[face.corners.clone()] {
+    for (face, normal) in faces.faces.iter().zip(of_faces) {
+        for corner in face.corners.clone() {
+            let vertices = &surface.vertices[corner];
+            let of_face = lights.diffuse(places[faces.corners[corner] as usize], normal);
             let known = vertices.iter().filter_map(|&vertex| of_vertices.get(vertex).copied());
             let known: Vec<f64> = known.collect();
             levels.push(if known.is_empty() { vec![of_face] } else { known });
@@ -300,21 +515,32 @@ fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>>
     levels
 }
 
-/// The level of a face by the definition, from its normal in the table and from a shader in object
-/// space.
-fn quantised_level(shader: &Flat<Rgb888>, normal: [i8; 3]) -> f64 {
-    let light = shader.light();
-    let product =
-        |i: usize| f64::from(normal[i]) / 127.0 * f64::from(light.toward()[i]) / 2f64.powi(30);
-    let dot: f64 = (0..3).map(product).sum();
-    (light.ambient().to_num::<f64>() + light.diffuse().to_num::<f64>() * dot.max(0.0)).min(1.0)
-}
-
 /// The level that a place in the ramp stands for: 0 and 1 lie in the middle of the first and the
 /// last of its [`LEVELS`].
 fn ramp_level(place: u16) -> f64 {
     let levels = LEVELS as f64;
     (f64::from(place) / 65536.0 * levels - 0.5) / (levels - 1.0)
+}
+
+/// The colour that the varyings of a corner stand for, from 0 to 255: 0 and 1 lie in the middle of
+/// the first and the last of 256 steps.
+fn channels(corner: &<Affine as Mode>::OnScreen<[u16; 3]>) -> [f64; 3] {
+    let (channels, _) = Affine::parts(corner);
+    channels.map(|channel| f64::from(channel) / 256.0 - 0.5)
+}
+
+/// The colour of a corner of the file, from 0 to 255.
+fn file_channels(model: &Model, corner: usize) -> [f64; 3] {
+    model.exact.faces.vertex_colors.get(corner).copied().unwrap_or_default()
+}
+
+/// The least and the largest of each channel.
+fn range(colors: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
+    colors.fold([[f64::INFINITY; 3], [0.0; 3]], |[least, most], color| {
+        let each =
+            |of: fn(f64, f64) -> f64, with: [f64; 3]| [0, 1, 2].map(|i| of(with[i], color[i]));
+        [each(f64::min, least), each(f64::max, most)]
+    })
 }
 
 /// The colour of each triangle's material.

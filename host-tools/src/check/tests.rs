@@ -3,7 +3,13 @@
 
 use std::fs;
 
+mod blending;
+mod colored;
+mod display;
 mod filter;
+mod fog;
+mod matcap;
+mod shiny;
 mod textured;
 
 use super::*;
@@ -86,6 +92,12 @@ const FRONT: View = View {
     shading: Shading::Unlit,
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
+    display: None,
+    blending: Blending::Replace,
+    background: BACKGROUND,
+    opacity: 1.0,
+    fog: None,
+    lights: ViewLights::OVER_THE_SHOULDER,
 };
 
 #[track_caller]

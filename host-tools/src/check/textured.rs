@@ -1,6 +1,9 @@
 //! A textured shader of the core against its definition.
 
-use rasterizer::shade::{self, OnScreen, Shader};
+use rasterizer::{
+    color::Composite,
+    shade::{self, OnScreen, Shader},
+};
 
 use super::{
     any_mode,
@@ -14,7 +17,7 @@ use super::{
 };
 use crate::{
     model::Model,
-    reference::{self, Corner, Footprint, Sample, is_opaque, lit},
+    reference::{self, Corner, Footprint, Mipmaps, Sample, is_opaque, lit},
 };
 
 /// The varyings of the reference: u, v and 1 / w of
@@ -39,21 +42,23 @@ pub(super) struct PlacedCorner {
     pub(super) light: f64,
 }
 
-/// Draws a textured model by the core. `read` takes the texture coordinate in Q8.24 from what a
-/// pixel sees; `placed` returns a corner from its triangle and its stored varyings, and `exact` the
-/// coordinates and the light level of a corner of the file.
-pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
+/// Draws a textured model by the core. `texture_of` returns the texture of a material; `read` takes
+/// the texture coordinate in Q8.24 from what a pixel sees; `placed` returns a corner from its
+/// triangle and its stored varyings, and `exact` the coordinates and the light level of a corner of
+/// the file.
+pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     (model, surface, skins): (&'a Model, &'a Surface, &'a Skins),
+    texture_of: impl Fn(usize) -> &'a Mipmaps + Copy + 'a,
     view: &View,
     shader: &Sh,
     read: fn(&shade::Sample<Sh>) -> Option<[i32; 2]>,
     placed: impl Fn(usize, OnScreen<Sh>) -> PlacedCorner,
     exact: impl Fn(Corner) -> ([f64; 2], f64) + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Skins { textures, materials, file_materials, .. } = skins;
+    let Skins { materials, file_materials, .. } = skins;
     let (perspective, filter) = (view.perspective, view.filter);
     let shader = Probe { shader: shader.clone(), read };
-    let Placed { picture, triangles, vertices, time, colors } =
+    let Placed { picture, triangles, vertices, time, colors, blended, fog } =
         any_mode::with(perspective, || {
             fixed::place::<6, _>(model, view, &shader, |triangle, corner| {
                 let PlacedCorner { uv, inverse_w, light } = placed(triangle, corner);
@@ -66,7 +71,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
     let depth = view.depth.definition();
     let arithmetic = move |fixed: &super::FixedPicture| {
         let seen = reference::draw_screen(&triangles, size, |sample: Sample<6>| {
-            let texture = &textures[materials[sample.triangle]];
+            let texture = texture_of(materials[sample.triangle]);
             Some(Seen {
                 texture,
                 exact: perspective.exact(&sample),
@@ -81,8 +86,11 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
         let texels = coordinates::compare(&coordinates, fixed, depth, &exact, perspective.reason());
         let picture = seen.recolored(|[x, y], fragment| {
             let drawn = fixed.pixels[y * size.0 + x];
-            let right =
-                fragment.color.right(filter, Precision::OF_CHANNELS, drawn.color.map(f64::from));
+            let mut color = drawn.color.map(f64::from);
+            if let Some(fog) = &fog {
+                color = fog.bare([x, y], fragment, color);
+            }
+            let right = fragment.color.right(filter, Precision::OF_CHANNELS, color);
             // Where it may be transparent, it is if the core shows something behind it.
             let is_drawn = || {
                 let units = depth.units(fragment.depth) - f64::from(drawn.depth);
@@ -90,7 +98,11 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
             };
             right.color.filter(|_| !right.may_be_transparent || is_drawn())
         });
-        (picture, Some(texels))
+        let picture = match &fog {
+            Some(fog) => fog.over(&picture, |pixel| fixed.color(pixel)),
+            None => picture,
+        };
+        (picture, Some(texels), None)
     };
     let exact = move |corner: Corner| -> Varyings {
         let (uv, light) = exact(corner);
@@ -98,7 +110,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
     };
     let shade = move |sample: Sample<6>| {
         let exact = footprint(&sample, sample.depth);
-        let texture = &textures[file_materials[sample.triangle]];
+        let texture = texture_of(file_materials[sample.triangle]);
         let texel = filter.texel(texture, &exact);
         is_opaque(texel).then(|| lit(texel, sample.varyings[3]))
     };
@@ -106,6 +118,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor>>(
         picture,
         vertices,
         time,
+        blended,
         arithmetic: Box::new(arithmetic),
         end_to_end: fixed::end_to_end((model, surface), view, exact, shade),
     })

@@ -10,10 +10,12 @@ use rasterizer::{
     numbers::{Rotation, Scalar, Turn, Vec3},
     output::FrameError,
     scene::ProjectError,
-    shade::{Level, Light},
+    shade,
 };
 
-use super::{Correction, DepthFormat, Filter, Shading};
+use super::{
+    BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights,
+};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -81,6 +83,18 @@ pub struct View {
     pub perspective: Correction,
     /// How a colour is taken from a texture.
     pub filter: Filter,
+    /// The display that shows the picture; `None` for one with all of its colours.
+    pub display: Option<Display>,
+    /// What lights the model.
+    pub lights: ViewLights,
+    /// How pixels are put onto the picture.
+    pub blending: Blending,
+    /// What blended pixels lie on.
+    pub background: [u8; 3],
+    /// What the opacity of all materials is multiplied by where pixels are blended, from 0 to 1.
+    pub opacity: f64,
+    /// What colours fade into with the distance.
+    pub fog: Option<Fog>,
 }
 
 impl Default for View {
@@ -100,6 +114,12 @@ impl Default for View {
             shading: Shading::default(),
             perspective: Correction::default(),
             filter: Filter::default(),
+            display: None,
+            lights: ViewLights::default(),
+            blending: Blending::default(),
+            background: BACKGROUND,
+            opacity: 1.0,
+            fog: None,
         }
     }
 }
@@ -122,6 +142,14 @@ pub enum ViewError {
     /// The camera's numbers contradict each other.
     #[error("{0}")]
     Camera(#[from] CameraError),
+    /// The fog has no law.
+    #[error("the fog ends at {end}, but must end beyond its start at {start}")]
+    Fog {
+        /// Where it starts.
+        start: f64,
+        /// Where it ends.
+        end: f64,
+    },
     /// The core refuses the model in this view.
     #[error("{0}")]
     Project(#[from] ProjectError),
@@ -129,11 +157,6 @@ pub enum ViewError {
     #[error("{0}")]
     Frame(#[from] FrameError),
 }
-
-/// Where the light comes from: over the viewer's left shoulder.
-const LIGHT: [&str; 3] = ["-1", "2", "3"];
-const AMBIENT: &str = "0.2";
-const DIFFUSE: &str = "0.8";
 
 impl View {
     /// Returns the view with the model turned further about y: step `frame` of `frames` in a full
@@ -165,6 +188,7 @@ impl View {
             yaw_degrees: turn(self.yaw_degrees),
             pitch_degrees: turn(self.pitch_degrees),
             roll_degrees: turn(self.roll_degrees),
+            fog: self.fog.map(Fog::rounded),
             ..self
         }
     }
@@ -205,6 +229,31 @@ impl View {
         self.fixed_camera(Orthographic::new(height, near, far)?)
     }
 
+    /// The fog of the fixed-point core.
+    pub(super) fn core_fog(&self) -> Result<Option<shade::Fog>, ViewError> {
+        let Some(fog) = self.fog else { return Ok(None) };
+        match fog.law {
+            reference::Fog::Linear { start, end } => {
+                checked("the start of the fog", start, 0.0, 65_535.0)?;
+                checked("the end of the fog", end, 0.0, 65_535.0)?;
+                fog.core().map(Some).ok_or(ViewError::Fog { start, end })
+            }
+            reference::Fog::Exponential { density } => {
+                checked("the density of the fog", density, 0.0, 255.0)?;
+                Ok(fog.core())
+            }
+        }
+    }
+
+    /// The distance of a pixel in the reference from its depth. In a parallel projection fog sees
+    /// all of them at the near plane.
+    pub(super) const fn fog_distance(&self, depth: f64) -> f64 {
+        match self.projection {
+            Projection::Perspective { .. } => self.near / depth,
+            Projection::Orthographic { .. } => self.near,
+        }
+    }
+
     fn depth_range(&self) -> Result<[Distance; 2], ViewError> {
         Ok([
             distance("the near plane's distance", self.near)?,
@@ -212,19 +261,11 @@ impl View {
         ])
     }
 
-    pub(super) const fn light() -> Light {
-        let [x, y, z] = LIGHT;
-        Light::new(Vec3::lit(x, y, z), Level::lit(AMBIENT), Level::lit(DIFFUSE))
-    }
-
-    pub(super) fn reference_light(&self) -> reference::Light {
-        let number = |text: &str| text.parse().expect("the light is given in decimal numbers");
-        let toward: [f64; 3] = LIGHT.map(number);
-        let length = toward.iter().map(|c| c * c).sum::<f64>().sqrt();
-        reference::Light {
-            toward: toward.map(|c| c / length),
-            ambient: number(AMBIENT),
-            diffuse: number(DIFFUSE),
+    /// Where the viewer is.
+    pub(super) const fn reference_viewer(&self) -> reference::Viewer {
+        match self.projection {
+            Projection::Perspective { .. } => reference::Viewer::At([0.0, 0.0, self.distance]),
+            Projection::Orthographic { .. } => reference::Viewer::Toward([0.0, 0.0, 1.0]),
         }
     }
 

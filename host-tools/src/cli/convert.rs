@@ -66,6 +66,9 @@ pub(super) struct Arguments {
     /// Keep texture coordinates even without textures
     #[arg(long)]
     texture_coordinates: bool,
+    /// Leave out the colours of vertices (`v x y z r g b`): materials have colours (`Kd`) too
+    #[arg(long)]
+    no_vertex_colors: bool,
     #[command(flatten)]
     textures: TextureArguments,
     /// Overwrite a file that is not from this program
@@ -93,6 +96,7 @@ impl Arguments {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
                 face_normals: matches!(self.normals, Normals::Face | Normals::Both),
                 texture_coordinates: self.texture_coordinates,
+                vertex_colors: !self.no_vertex_colors,
             },
             textures: self.textures.options(),
             name: self.name.clone(),

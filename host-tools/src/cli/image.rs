@@ -1,8 +1,7 @@
 //! Pictures to look at: those of both rasterizers on a background, and their differences.
 
-use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use host_tools::{
-    check::{Bounds, Checked, Difference, FixedPicture, Pixel},
+    check::{Bounds, Checked, Difference, Display, FixedPicture, Pixel},
     reference::Picture,
 };
 
@@ -14,10 +13,6 @@ pub(super) struct Image {
     /// The pixels, row by row.
     pub(super) rgb: Vec<[u8; 3]>,
 }
-
-/// The background of the pictures: a grey-blue dark enough for light models and light enough for
-/// shadows.
-pub(super) const BACKGROUND: [u8; 3] = [0x28, 0x32, 0x40];
 
 /// The factor by which the difference picture amplifies colour differences. From 8 steps of 256 on
 /// they are at full strength, and a single step is still visible.
@@ -154,13 +149,18 @@ impl Image {
         }
     }
 
-    /// The colours as an RGB565 display shows them.
-    pub(super) fn as_rgb565(&self) -> Self {
-        let shown = |&[r, g, b]: &[u8; 3]| {
-            let color = Rgb888::from(Rgb565::from(Rgb888::new(r, g, b)));
-            [color.r(), color.g(), color.b()]
-        };
-        Self { size: self.size, rgb: self.rgb.iter().map(shown).collect() }
+    /// What a display shows of it.
+    pub(super) fn shown_by(&self, display: Display) -> Self {
+        Self { size: self.size, rgb: display.shown(self.size, &self.rgb) }
+    }
+
+    /// This picture and, on its right, another one of the same size.
+    pub(super) fn beside(&self, other: &Self) -> Self {
+        let [width, height] = self.size;
+        let rows = |image: &'_ Self| image.rgb.chunks(width as usize).map(<[_]>::to_vec).collect();
+        let [left, right]: [Vec<_>; 2] = [rows(self), rows(other)];
+        let rgb = left.into_iter().zip(right).flat_map(|(left, right)| [left, right].concat());
+        Self { size: [2 * width, height], rgb: rgb.collect() }
     }
 }
 
@@ -206,6 +206,8 @@ mod tests {
             },
             vertices: Vertices::default(),
             texels: None,
+            normals: None,
+            blend: None,
             fixed_ms: 0.0,
             reference_ms: 0.0,
         };
@@ -214,6 +216,7 @@ mod tests {
                 arithmetic: comparison,
                 end_to_end: comparison,
                 places: Places::default(),
+                display: None,
             },
             wrong: vec![Wrong { pixel: [7, 0], fault: Fault::Hole, line: Some(1), triangle: None }],
             fixed: FixedPicture { size: [WIDTH as u32, 1], pixels },
@@ -226,6 +229,7 @@ mod tests {
                 DepthFormat::U16.definition().depth(DEPTH),
             ),
             depth: DepthFormat::U16,
+            blended: None,
         }
     }
 

@@ -7,7 +7,7 @@ use std::{
 
 use anyhow::{Result, anyhow, bail};
 use host_tools::{
-    check::{Bounds, Shading, View},
+    check::{BACKGROUND, Bounds, Shading, View},
     model::{Options, thousands},
 };
 
@@ -48,7 +48,7 @@ struct Shown {
 fn show(path: &Path, force: bool) -> Result<Shown> {
     let model = convert::load(path, &Options::default())?;
     let view = View { shading: Shading::of(&model), ..View::default() };
-    let picture = image::of_fixed(&render::draw(path, &model, &view)?, image::BACKGROUND);
+    let picture = image::of_fixed(&render::draw(path, &model, &view)?, BACKGROUND);
     let worst = worst_frame(path, &model, &view, FRAMES)?;
 
     fs::create_dir_all(DIRECTORY).map_err(|error| {
@@ -61,6 +61,7 @@ fn show(path: &Path, force: bool) -> Result<Shown> {
         fixed: file("-fixed.png"),
         reference: file("-reference.png"),
         difference: file("-difference.png"),
+        display: None,
     };
     let inputs = output::inputs(&model);
     let overwriting = Overwriting { force, inputs: &inputs };
@@ -69,7 +70,7 @@ fn show(path: &Path, force: bool) -> Result<Shown> {
     convert::allow(&tables, overwriting)?;
     convert::write(&model, &tables)?;
     output::write(&rendered, &png::still(&picture)?)?;
-    let legend = write_pictures(&worst.checked, &pictures)?;
+    let legend = write_pictures(&worst.checked, &pictures, view.display)?;
 
     let report = &model.report;
     let outcome = worst.checked.outcome;

@@ -1,7 +1,9 @@
 //! The comparison as a table and in words.
 
 use host_tools::{
-    check::{Bounds, Comparison, Deviation, Fault, Outcome, TexelError, VertexError, Wrong},
+    check::{
+        BlendError, Bounds, Comparison, Deviation, Fault, Outcome, TexelError, VertexError, Wrong,
+    },
     model::{Model, thousands},
 };
 
@@ -10,10 +12,8 @@ use super::image::Legend;
 /// Both comparisons side by side, with the bounds and whether they are kept.
 pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     type Figure = fn(&Comparison) -> String;
-    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let Outcome { arithmetic, end_to_end, places, display } = outcome;
     let found = &arithmetic.deviation;
-    let bound =
-        |found: f64, bound: f64| format!("{bound} {}", if found <= bound { "ok" } else { "FAIL" });
     let coverage = bound(found.coverage_mismatches as f64, bounds.coverage_mismatches as f64);
     let depth = bound(found.depth_max_ulp, bounds.depth_max_ulp);
     let color = bound(found.color_max_error, bounds.color_max_error);
@@ -64,16 +64,55 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
         let most = format!("{:.4}", texels.texel_max_error);
         text += &line("Texel error at most, texels", [&most, &bound, "", ""]);
     }
+    if let Some(normals) = arithmetic.normals {
+        let verdict = if normals.are_within() { "ok" } else { "FAIL" };
+        let bound = format!("{} {verdict}", normals.normal_bound_degrees);
+        let most = format!("{:.4}", normals.normal_max_error_degrees);
+        text += &line("Normal error at most, degrees", [&most, &bound, "", ""]);
+    }
+    if let Some(blend) = arithmetic.blend {
+        let layers = thousands(blend.blend_most_layers);
+        text += &line("Layers of a pixel at most", [&layers, "", "", ""]);
+        let mismatches = thousands(blend.blend_layer_mismatches);
+        let verdict = bound(blend.blend_layer_mismatches as f64, 0.0);
+        text += &line("Layer mismatches, pixels", [&mismatches, &verdict, "", ""]);
+        let most = blend.blend_layer_max_error;
+        let verdict = bound(most, bounds.color_max_error);
+        text += &line("Layer colour error, of 255", [&most.to_string(), &verdict, "", ""]);
+        let verdict = blend.blend_worst.map_or_else(String::new, |worst| {
+            let verdict = if worst.is_within() { "ok" } else { "FAIL" };
+            format!("{:.4} {verdict}", worst.bound_steps)
+        });
+        let most = format!("{:.4}", blend.blend_max_error);
+        text += &line("Blended colour error, of 255", [&most, &verdict, "", ""]);
+    }
     let judged = thousands(places.judged);
     text += &line("Pixels judged by their place", ["", "", &judged, ""]);
     let wrong = bound(places.wrong as f64, 0.0);
     text += &line("Wrong pixels among these", ["", "", &thousands(places.wrong), &wrong]);
+    if let Some(display) = display {
+        let steps = bound(display.wrong_steps as f64, 0.0);
+        let colors = bound(display.wrong_colors as f64, 0.0);
+        let wrong = [display.wrong_steps, display.wrong_colors].map(thousands);
+        text += &line("Wrong steps of the display", [&wrong[0], &steps, "", ""]);
+        text += &line("Wrong colours of the display", [&wrong[1], &colors, "", ""]);
+        if let Some(most) = display.block_bound.filter(|_| display.even_blocks > 0) {
+            let error = format!("{:.5}", display.block_max_error);
+            let bound = bound(display.block_max_error, most);
+            text += &line("Mean of even 8x8 squares, of 1", [&error, &bound, "", ""]);
+        }
+    }
     text
+}
+
+/// A bound, and whether it is kept.
+fn bound(found: f64, bound: f64) -> String {
+    format!("{bound} {}", if found <= bound { "ok" } else { "FAIL" })
 }
 
 /// The comparisons in words.
 pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> String {
-    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let Outcome { arithmetic, end_to_end, places, display } = outcome;
     let mut text = if arithmetic.is_within(bounds) {
         "Arithmetic: within bounds. The core draws its own vertices as exact arithmetic does."
             .to_owned()
@@ -104,6 +143,26 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
         }
         text += &format!("\n  The bound of a texture coordinate: {}.", texels.texel_bound);
     }
+    if let Some(normals) = arithmetic.normals {
+        if let Some([x, y]) = normals.normal_worst.filter(|_| !normals.are_within()) {
+            let degrees = normals.normal_max_error_degrees;
+            text += &format!("\n  Column {x} of row {y}: its normal is {degrees:.3} degrees off.");
+        }
+        text += "\n  The bound of a normal: half a degree, where it is at least half as long as \
+                 those of the corners. The colour is judged by the pixel's own normal.";
+    }
+    if let Some(blend) = arithmetic.blend {
+        if let Some(BlendError { pixel: [x, y], layers, error_steps, bound_steps }) =
+            blend.blend_worst.filter(|worst| !worst.is_within())
+        {
+            text += &format!(
+                "\n  Column {x} of row {y}: the blended colour of {layers} layers is \
+                 {error_steps:.4} steps off, and may be {bound_steps:.4}."
+            );
+        }
+        let reason: &str = blend.blend_bound.into();
+        text += &format!("\n  The bound of a blended colour: {reason}.");
+    }
     let Deviation { pixels, coverage_mismatches, .. } = end_to_end.deviation;
     let share = 100.0 * coverage_mismatches as f64 / pixels.max(1) as f64;
     text += &format!(
@@ -120,6 +179,12 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
     if let Some(worst) = end_to_end.vertices.out_of_bounds() {
         text += vertex(worst, " in the file").trim_start_matches('\n');
         text += "\n";
+    }
+    if let Some([x, y]) = display.and_then(|display| display.first) {
+        text += &format!(
+            "The display: OUT OF BOUNDS. The first pixel with a wrong step is column {x} of row {y}. \
+             Please report it with the model.\n"
+        );
     }
     if let Some(first) = places.first {
         text += &format!("  {} wrong pixels. {}\n", thousands(places.wrong), place(model, first));
@@ -184,6 +249,8 @@ mod tests {
             deviation,
             vertices: vertices(0.001),
             texels: None,
+            normals: None,
+            blend: None,
             fixed_ms: 1.0,
             reference_ms: 2.0,
         };
@@ -194,6 +261,7 @@ mod tests {
                 ..comparison
             },
             places: Places { judged: 54_321, wrong: 0, first: None },
+            display: None,
         }
     }
 

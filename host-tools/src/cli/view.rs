@@ -5,8 +5,12 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use host_tools::{
-    check::{Correction, DepthFormat, Filter, Projection, Shading, Subpixel, View},
+    check::{
+        BACKGROUND, Blending, Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Lamp,
+        MOST_LIGHTS, Matrix, Projection, Shading, Subpixel, Sun, View, ViewLights,
+    },
     model::{Model, Options},
+    reference,
 };
 use serde::Serialize;
 
@@ -40,8 +44,8 @@ pub(super) struct ViewOptions {
         value_parser = choice(&DepthFormat::NAMES)
     )]
     depth: DepthFormat,
-    /// How triangles are coloured [default: textured-gouraud if the model has textures, otherwise
-    /// gouraud]
+    /// How triangles are coloured [default: textured-gouraud if the model has textures,
+    /// colored-gouraud if its vertices have colours, otherwise gouraud]
     #[arg(long, value_parser = choice(&Shading::NAMES))]
     shading: Option<Shading>,
     /// Where texture coordinates are divided: nowhere, at every pixel, at every N-th, or as often
@@ -60,6 +64,43 @@ pub(super) struct ViewOptions {
         value_parser = choice(&Filter::NAMES)
     )]
     filter: Filter,
+    /// The colours of the display, which shows the nearest of them
+    #[arg(long, value_name = "FORMAT", value_parser = choice(&Colors::NAMES))]
+    colors: Option<Colors>,
+    /// Dither to them instead, by a matrix of this many rows
+    #[arg(long, value_name = "ROWS", requires = "colors", value_parser = choice(&Matrix::NAMES))]
+    dither: Option<Matrix>,
+    /// How pixels are put onto the picture; all but replace draw every layer from back to front,
+    /// with the opacity of the materials
+    #[arg(
+        long,
+        value_name = "MODE",
+        default_value = name(&Blending::NAMES, View::default().blending),
+        value_parser = choice(&Blending::NAMES)
+    )]
+    blend: Blending,
+    /// What the opacity of all materials is multiplied by with --blend, 0 to 1 in steps of 1/256
+    #[arg(
+        long,
+        value_name = "PART",
+        default_value_t = View::default().opacity,
+        value_parser = within(0.0, 1.0),
+        allow_negative_numbers = true
+    )]
+    opacity: f64,
+    /// Fog by the distance from the camera's plane: none up to START and all from END on, or e to
+    /// the -DENSITY a unit
+    #[arg(long, value_name = "linear:START:END|exp:DENSITY", value_parser = fog)]
+    fog: Option<reference::Fog>,
+    /// Where fog is computed
+    #[arg(
+        long,
+        value_name = "WHERE",
+        requires = "fog",
+        default_value = name(&FogBy::NAMES, FogBy::default()),
+        value_parser = choice(&FogBy::NAMES)
+    )]
+    fog_by: FogBy,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -132,6 +173,19 @@ pub(super) struct ViewOptions {
         allow_negative_numbers = true
     )]
     roll: f64,
+    /// A distant light: the direction towards it, and its level [default: 0.8]; up to 4 of them, in
+    /// place of one over the left shoulder
+    #[arg(
+        long,
+        value_name = "X,Y,Z[,LEVEL]",
+        value_parser = sun,
+        allow_hyphen_values = true
+    )]
+    light: Vec<Sun>,
+    /// A light at a point, where the camera looks at the origin from the z axis, and the distance
+    /// at which its level is half; up to 4 of them
+    #[arg(long, value_name = "X,Y,Z,HALF", value_parser = lamp, allow_hyphen_values = true)]
+    lamp: Vec<Lamp>,
     #[command(flatten)]
     smoothing: Smoothing,
     /// Turn over faces that run against their neighbours, and closed parts that are inside out
@@ -170,7 +224,36 @@ impl ViewOptions {
             shading: self.shading.unwrap_or(otherwise),
             perspective: self.perspective,
             filter: self.filter,
+            display: self
+                .colors
+                .map(|colors| Display { colors, dither: self.dither.unwrap_or_default() }),
+            lights: self.lights(),
+            blending: self.blend,
+            background: BACKGROUND,
+            opacity: self.opacity,
+            fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: BACKGROUND }),
         }
+    }
+
+    /// The lights; more of them than fit are left out, which [`check`](Self::check) refuses.
+    fn lights(&self) -> ViewLights {
+        if self.light.is_empty() && self.lamp.is_empty() {
+            return ViewLights::default();
+        }
+        let nth = |i: usize| self.light.get(i).copied();
+        let nth_lamp = |i: usize| self.lamp.get(i).copied();
+        ViewLights { suns: std::array::from_fn(nth), lamps: std::array::from_fn(nth_lamp) }
+    }
+
+    /// Refuses more lights than a view has.
+    pub(super) fn check(&self) -> anyhow::Result<()> {
+        for (option, count) in [("--light", self.light.len()), ("--lamp", self.lamp.len())] {
+            anyhow::ensure!(
+                count <= MOST_LIGHTS,
+                "{option} is given {count} times: a view has {MOST_LIGHTS} at most"
+            );
+        }
+        Ok(())
     }
 
     /// The conversion of the model for it.
@@ -192,6 +275,18 @@ pub(super) struct Settings {
     shading: &'static str,
     perspective: &'static str,
     filter: &'static str,
+    lights: Vec<[f64; 4]>,
+    lamps: Vec<[f64; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    colors: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dither: Option<u32>,
+    blend: &'static str,
+    opacity: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog_by: Option<&'static str>,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -220,6 +315,18 @@ impl Settings {
             shading: name(&Shading::NAMES, view.shading),
             perspective: name(&Correction::NAMES, view.perspective),
             filter: name(&Filter::NAMES, view.filter),
+            colors: view.display.map(|display| name(&Colors::NAMES, display.colors)),
+            dither: view.display.and_then(|display| display.dither.rows()),
+            lights: (view.lights.suns.iter().flatten())
+                .map(|&Sun { toward: [x, y, z], level }| [x, y, z, level])
+                .collect(),
+            lamps: (view.lights.lamps.iter().flatten())
+                .map(|&Lamp { position: [x, y, z], half }| [x, y, z, half])
+                .collect(),
+            blend: name(&Blending::NAMES, view.blending),
+            opacity: view.opacity,
+            fog: view.fog.map(|fog| law(fog.law)),
+            fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             distance: view.distance,
             fov,
             height,
@@ -240,8 +347,21 @@ impl Settings {
         } else {
             String::new()
         };
+        let blend = if self.blend == name(&Blending::NAMES, Blending::Replace) {
+            String::new()
+        } else {
+            format!(", blended by {} at {} of its opacity", self.blend, self.opacity)
+        };
+        let fog = match (&self.fog, self.fog_by) {
+            (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
+            _ => String::new(),
+        };
+        let dither =
+            self.dither.map_or_else(String::new, |rows| format!(" dithered {rows}x{rows}"));
+        let colors =
+            self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -273,6 +393,64 @@ pub(super) fn within(
     }
 }
 
+/// Numbers with commas between them.
+fn numbers(text: &str) -> Option<Vec<f64>> {
+    let number = |word: &str| word.trim().parse().ok().filter(|n: &f64| n.abs() <= 32_000.0);
+    text.split(',').map(number).collect()
+}
+
+/// A direction and a level, as in -1,2,3,0.5.
+fn sun(text: &str) -> Result<Sun, String> {
+    let found = match numbers(text).as_deref() {
+        Some(&[x, y, z]) => Some(Sun { toward: [x, y, z], level: 0.8 }),
+        Some(&[x, y, z, level]) => Some(Sun { toward: [x, y, z], level }),
+        _ => None,
+    };
+    // A step of the core's numbers.
+    let is_direction = |sun: &Sun| sun.toward.iter().any(|c| c.abs() >= 1.0 / 65_536.0);
+    found.filter(|sun| is_direction(sun) && (0.0..=1.0).contains(&sun.level)).ok_or_else(|| {
+        "write a direction x,y,z that is not zero, of numbers up to 32000, and a level from 0 to \
+         1, as in -1,2,3,0.5"
+            .to_owned()
+    })
+}
+
+/// A place and a distance, as in 1,2,0.5,1.5.
+fn lamp(text: &str) -> Result<Lamp, String> {
+    let found = match numbers(text).as_deref() {
+        Some(&[x, y, z, half]) => Some(Lamp { position: [x, y, z], half }),
+        _ => None,
+    };
+    found.filter(|lamp| lamp.half >= 1.0 / 65_536.0).ok_or_else(|| {
+        "write a place x,y,z and the distance at which the level is half, over 0, of numbers up to \
+         32000, as in 1,2,0.5,1.5"
+            .to_owned()
+    })
+}
+
+/// A law of fog, as in linear:2:10 or exp:0.3.
+fn fog(text: &str) -> Result<reference::Fog, String> {
+    let number = |text: &str, most: f64| within(0.0, most)(text);
+    if let Some(density) = text.strip_prefix("exp:") {
+        return Ok(reference::Fog::Exponential { density: number(density, 255.0)? });
+    }
+    let ends = text.strip_prefix("linear:").and_then(|ends| ends.split_once(':'));
+    let (start, end) = ends.ok_or("write linear:START:END or exp:DENSITY, as in exp:0.3")?;
+    let [start, end] = [number(start, 65_535.0)?, number(end, 65_535.0)?];
+    if end <= start {
+        return Err("it must end beyond its start".into());
+    }
+    Ok(reference::Fog::Linear { start, end })
+}
+
+/// The law as it is written.
+fn law(law: reference::Fog) -> String {
+    match law {
+        reference::Fog::Linear { start, end } => format!("linear:{start}:{end}"),
+        reference::Fog::Exponential { density } => format!("exp:{density}"),
+    }
+}
+
 /// Width and height, as in 320x240.
 fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIZE).contains(n));
@@ -285,6 +463,7 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 #[cfg(test)]
 mod tests {
     use clap::Parser;
+    use host_tools::reference::Blend;
 
     use super::*;
 
@@ -309,8 +488,8 @@ mod tests {
     #[test]
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
-                    every-16 --filter trilinear --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
-                    --crease 10 --frames 5";
+                    every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+                    --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --colors gray2 --dither 4";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
             size: [7, 9],
@@ -326,6 +505,24 @@ mod tests {
             shading: Shading::Flat,
             perspective: Correction::Every16,
             filter: Filter::Trilinear,
+            display: Some(Display { colors: Colors::Gray2, dither: Matrix::Four }),
+            lights: ViewLights {
+                suns: [
+                    Some(Sun { toward: [-1.0, 2.0, 3.0], level: 0.8 }),
+                    Some(Sun { toward: [0.0, -1.0, 0.5], level: 0.25 }),
+                    None,
+                    None,
+                ],
+                lamps: [Some(Lamp { position: [-1.0, 0.0, 2.0], half: 1.5 }), None, None, None],
+            },
+            blending: Blending::By(Blend::Screen),
+            background: BACKGROUND,
+            opacity: 0.25,
+            fog: Some(Fog {
+                law: reference::Fog::Linear { start: 1.5, end: 9.0 },
+                by: FogBy::Vertex,
+                color: BACKGROUND,
+            }),
         };
         assert_eq!(options.view(Shading::Unlit), expected);
         let conversion = options.conversion();
@@ -347,9 +544,30 @@ mod tests {
             ("--frames", &["0", "-3", "361", "1.5", "99999999999999"]),
             ("--depth", &["u8", "", "U16"]),
             ("--subpixel", &["5", ""]),
-            ("--shading", &["phong"]),
+            ("--shading", &["toon"]),
+            ("--light", &["0,0,0", "1,2", "1,2,3,4", "1,2,3,0.5,6", "nan,0,1", "", "1e9,0,0"]),
+            ("--lamp", &["1,2,3", "1,2,3,0", "1,2,3,-1", "1,2,inf,1", ""]),
             ("--perspective", &["every-5", "every", ""]),
             ("--filter", &["linear", "Nearest"]),
+            ("--colors", &["rgb", "", "1"]),
+            ("--dither", &["2", "", "bayer"]),
+            ("--blend", &["alpha", ""]),
+            ("--opacity", &["1.1", "-0.5", "NaN"]),
+            (
+                "--fog",
+                &[
+                    "",
+                    "exp",
+                    "exp:",
+                    "exp:-1",
+                    "exp:nan",
+                    "linear:1",
+                    "linear:2:2",
+                    "linear:3:1",
+                    "3",
+                ],
+            ),
+            ("--fog-by", &["pixel", "face"]),
         ] {
             for value in values {
                 let error = parse(&[&format!("{option}={value}")]).unwrap_err();
@@ -357,5 +575,6 @@ mod tests {
             }
         }
         assert!(parse(&["--fov=30", "--orthographic=2"]).is_err());
+        assert!(parse(&["--dither=8"]).is_err(), "colours to dither to are missing");
     }
 }

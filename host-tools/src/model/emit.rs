@@ -7,7 +7,7 @@
 
 use std::fmt::{Display, Write as _};
 
-use rasterizer::mesh::Material;
+use rasterizer::mesh::{Finish, Material};
 
 use super::{
     Indices, Model, TextureTable, emit_textures,
@@ -53,6 +53,7 @@ fn options(model: &Model) -> String {
         (contents.vertex_normals, "vertex normals"),
         (contents.face_normals, "face normals"),
         (contents.texture_coordinates, "texture coordinates"),
+        (!model.vertex_colors.is_empty(), "vertex colours"),
     ]
     .into_iter()
     .filter_map(|(kept, name)| kept.then_some(name))
@@ -81,6 +82,8 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "    use ::rasterizer::{{")?;
     let is_textured = !model.texture_coordinates.as_column().is_empty();
     let columns: String = [
+        (!model.finishes.is_empty(), "Finish, "),
+        (true, "Material, Mesh, "),
         (!(model.vertex_normals.is_empty() && model.face_normals.is_empty()), "Normals, "),
         (true, "Positions, Tables, "),
         (is_textured, "TextureCoordinates, "),
@@ -88,7 +91,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     .into_iter()
     .filter_map(|(used, names)| used.then_some(names))
     .collect();
-    writeln!(out, "        mesh::{{Material, Mesh, {columns}Triangles}},")?;
+    writeln!(out, "        mesh::{{{columns}Triangles}},")?;
     writeln!(out, "        numbers::{{Scale, Vec3}},")?;
     writeln!(out, "    }};")?;
     table(out, "POSITIONS", "[i16; 3]", model.positions.iter().map(row))?;
@@ -104,6 +107,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
             "I32"
         }
     };
+    table(out, "VERTEX_COLORS", "[u8; 3]", model.vertex_colors.iter().map(row))?;
     let index = match &model.triangles {
         Indices::U8(triangles) => {
             table(out, "TRIANGLES", "[u8; 3]", triangles.iter().map(row))?;
@@ -115,6 +119,7 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
         }
     };
     table(out, "MATERIALS", "Material", model.materials.iter().map(material))?;
+    table(out, "FINISHES", "Finish", model.finishes.iter().map(finish))?;
     let (mantissa, exponent) = (model.scale.mantissa(), model.scale.exponent());
     writeln!(out, "    Mesh::new_const(Tables {{")?;
     writeln!(out, "        positions: Positions::I16(&POSITIONS),")?;
@@ -135,8 +140,14 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
         let column = format!("TextureCoordinates::{coordinates}(&TEXTURE_COORDINATES)");
         writeln!(out, "        texture_coordinates: {column},")?;
     }
+    if !model.vertex_colors.is_empty() {
+        writeln!(out, "        vertex_colors: &VERTEX_COLORS,")?;
+    }
     writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
     writeln!(out, "        materials: &MATERIALS,")?;
+    if !model.finishes.is_empty() {
+        writeln!(out, "        finishes: &FINISHES,")?;
+    }
     writeln!(out, "        ..Tables::EMPTY")?;
     writeln!(out, "    }})")?;
     writeln!(out, "}};")
@@ -198,6 +209,23 @@ fn material(material: &Material) -> String {
         row(&material.color),
         grouped(material.triangle_count as usize, '_')
     )
+}
+
+/// The calls that make it of a matte one.
+fn finish(finish: &Finish) -> String {
+    let mut text = "Finish::MATTE".to_owned();
+    let matte = Finish::MATTE;
+    // Writing to a string cannot fail.
+    if finish.specular != matte.specular {
+        let _ = write!(text, ".with_specular({}, {})", row(&finish.specular), finish.exponent);
+    }
+    if finish.emission != matte.emission {
+        let _ = write!(text, ".with_emission({})", row(&finish.emission));
+    }
+    if finish.opacity != matte.opacity {
+        let _ = write!(text, ".with_opacity({})", finish.opacity);
+    }
+    text
 }
 
 /// A file name that can neither end a comment nor its code span.

@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::{
     fit::Fitted,
     polygons::{self, Corner, Polygons},
+    texture_coordinates::turned,
     vector::Vector,
 };
 
@@ -18,6 +19,9 @@ pub struct Faces {
     pub corners: Vec<u32>,
     /// The texture coordinates of the corners, v running down; none if the file has none.
     pub texture_coordinates: Vec<[f64; 2]>,
+    /// The colours of the corners from 0 to 255: those of vertices, or of the materials of vertices
+    /// without; none if no vertex has one.
+    pub vertex_colors: Vec<[f64; 3]>,
     /// The faces in the order of the file.
     pub faces: Vec<Face>,
     /// Which of `positions` each vertex of the tables has.
@@ -39,11 +43,12 @@ pub struct Face {
 
 impl Faces {
     /// The faces of `polygons`, whose corners are `corners`, and whose positions of a common size
-    /// are `shape`. `used` has the materials of the tables, `lines` the line of each face,
-    /// `vertices` the position of each vertex of the tables. Texture coordinates are left out.
+    /// are `shape`. `ranks` has the number of each material in the tables, `lines` the line of each
+    /// face, `vertices` the position of each vertex of the tables. It has no texture coordinates
+    /// and no colours of vertices.
     pub(super) fn new(
         polygons: &Polygons,
-        used: &[usize],
+        ranks: &[Option<usize>],
         corners: Vec<u32>,
         shape: &[Vector],
         fitted: &Fitted,
@@ -55,15 +60,15 @@ impl Faces {
             .map(|(&polygons::Face { arity, material, .. }, &line)| {
                 let range = start..start + arity;
                 start = range.end;
-                let number = used.iter().position(|&used| used == material).unwrap_or(0);
-                Face { corners: range, color: polygons.colors[material], material: number, line }
+                let (color, number) = (polygons.colors[material], ranks[material].unwrap_or(0));
+                Face { corners: range, color, material: number, line }
             })
             .collect();
         let positions = (polygons.positions.iter().zip(shape))
             .map(|(&original, &shape)| fitted.place(original, shape))
             .collect();
-        let (texture_coordinates, vertices) = (Vec::new(), vertices.to_vec());
-        Self { positions, corners, texture_coordinates, faces, vertices }
+        let vertices = vertices.to_vec();
+        Self { positions, corners, faces, vertices, ..Self::default() }
     }
 
     /// The positions of a face's corners.
@@ -76,6 +81,16 @@ impl Faces {
 /// The texture coordinates of corners, v running down; none if the number of those that have any in
 /// the file, `textured`, is 0.
 pub(super) fn texture_coordinates(corners: &[Corner], textured: usize) -> Vec<[f64; 2]> {
-    let turned = |corner: &Corner| [corner.texture[0], 1.0 - corner.texture[1]];
-    if textured == 0 { Vec::new() } else { corners.iter().map(turned).collect() }
+    let of = |corner: &Corner| turned(corner.texture);
+    if textured == 0 { Vec::new() } else { corners.iter().map(of).collect() }
+}
+
+/// The colours of corners, which name them by `colors`; none if no vertex has one.
+pub(super) fn vertex_colors(polygons: &Polygons, colors: &[u32]) -> Vec<[f64; 3]> {
+    if polygons.vertex_colors.is_empty() {
+        return Vec::new();
+    }
+    let materials =
+        (polygons.faces.iter()).flat_map(|face| std::iter::repeat_n(face.material, face.arity));
+    colors.iter().zip(materials).map(|(&color, material)| polygons.color(color, material)).collect()
 }

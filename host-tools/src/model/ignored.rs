@@ -7,7 +7,6 @@ use super::{smoothing::Smoothing, source::Statement, warnings::Tally};
 /// The statements that are left out although they show something, or that are not understood.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ignored {
-    vertex_colors: Tally,
     lines: Tally,
     points: Tally,
     curves: Tally,
@@ -21,8 +20,6 @@ impl Ignored {
     /// Counts a statement if it is left out.
     pub(super) fn count(&mut self, path: &Path, statement: &Statement<'_>) {
         let tally = match statement.keyword() {
-            // Three coordinates, perhaps a weight, then red, green and blue.
-            b"v" if statement.arguments().nth(5).is_some() => &mut self.vertex_colors,
             b"l" => &mut self.lines,
             b"p" => &mut self.points,
             b"curv" | b"surf" | b"bsp" | b"bzp" | b"cdc" | b"cdp" => &mut self.curves,
@@ -41,10 +38,6 @@ impl Ignored {
 
     /// Adds a warning for each kind.
     pub(super) fn warn(&self, warnings: &mut Vec<String>) {
-        self.vertex_colors.warn(warnings, |tally| {
-            let vertices = tally.counted("vertex has a colour", "vertices have colours");
-            format!("{vertices} (`v x y z r g b`): ignored, as colours come from materials")
-        });
         for (tally, singular, plural, keywords) in [
             (&self.lines, "line element", "line elements", "`l`"),
             (&self.points, "statement of points", "statements of points", "`p`"),

@@ -5,11 +5,13 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use rasterizer::mesh::Finish;
+
 use super::{
     Contents, Provenance,
     error::ModelError,
     library_path,
-    mtl::{self, Definition, Faults},
+    mtl::{self, Definition, Faults, quantised},
     quote::shown,
     source::{self, without_clear_comment, without_possible_comment},
     texture_map::TextureMap,
@@ -38,6 +40,8 @@ pub(super) enum Pictures {
 pub(super) struct Material {
     /// Its colour.
     pub color: [u8; 3],
+    /// What it shows besides.
+    pub finish: Finish,
     /// Whether the mean colour of its texture is a better one: it has no `Kd`, or a black one.
     pub takes_mean: bool,
     /// Its texture, and the library that names it.
@@ -103,6 +107,7 @@ pub(super) fn load(
             let map = material.texture.clone();
             Material {
                 color: material.color.map_or(DEFAULT_COLOR, |(color, _)| quantised(color)),
+                finish: material.finish(),
                 takes_mean: material.color.is_none() || material.black_line().is_some(),
                 map: map.map(|map| (map, libraries.paths[*file].clone())),
             }
@@ -128,6 +133,11 @@ pub(super) fn load(
 }
 
 impl Libraries {
+    /// What a material shows besides its colour, by its index in `materials` or one past the end.
+    pub(super) fn finish(&self, material: usize) -> Finish {
+        self.materials.get(material).map(|material| material.finish).unwrap_or_default()
+    }
+
     /// The texture of a material, by its index in `materials` or one past the end.
     pub(super) fn wanted(&self, material: usize) -> Option<Wanted> {
         let (map, library) = self.materials.get(material)?.map.as_ref()?;
@@ -144,11 +154,6 @@ fn library(path: &Path, faults: &mut Faults) -> Result<(Provenance, Vec<Definiti
     let bytes = source::read(path)?;
     let definitions = mtl::definitions(path, source::text(path, &bytes)?, faults);
     Ok((Provenance::of(path, &bytes), definitions))
-}
-
-/// A colour from 0 to 1 in 255ths.
-fn quantised(color: [f64; 3]) -> [u8; 3] {
-    color.map(|c| (c.clamp(0.0, 1.0) * 255.0).round() as u8)
 }
 
 /// The libraries that cannot be read.
@@ -230,6 +235,7 @@ fn dropped(
 ) {
     let used: HashSet<usize> = libraries.chosen.iter().copied().flatten().collect();
     let (mut doubles, mut transparent) = (Tally::default(), Tally::default());
+    let mut glossy = Tally::default();
     let (mut textured, mut black) = (Tally::default(), Tally::default());
     let mut tinted = Tally::default();
     for &(index, first) in again {
@@ -245,6 +251,7 @@ fn dropped(
             let is_lost = !is_kept && !contents.texture_coordinates;
             for (tally, line) in [
                 (&mut transparent, material.transparent_line()),
+                (&mut glossy, material.gloss_line()),
                 (&mut textured, map.filter(|_| is_lost)),
                 (&mut black, material.black_line().filter(|_| !is_kept)),
                 (&mut tinted, material.tint_line().filter(|_| is_kept)),
@@ -263,7 +270,15 @@ fn dropped(
     transparent.warn(warnings, |tally| {
         let materials = tally.counted("material is", "materials are");
         let names = tally.examples();
-        format!("{materials} transparent (`d`, `Tr`, `map_d`), which is ignored: {names}")
+        format!(
+            "{materials} transparent (`d`, `Tr`, `map_d`): drawn opaque unless the program blends \
+             by their finish, and `map_d` is ignored: {names}"
+        )
+    });
+    glossy.warn(warnings, |tally| {
+        let materials = tally.counted("material has", "materials have");
+        let names = tally.examples();
+        format!("{materials} a texture of highlights (`map_Ks`), which is ignored: {names}")
     });
     textured.warn(warnings, |tally| {
         let materials = tally.counted("material has", "materials have");

@@ -6,10 +6,10 @@
 //! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
 //! values before rounding.
 //!
-//! The converter reads positions, normals, texture coordinates, faces, diffuse colours and textures
-//! of an OBJ file, and its smoothing groups where it has no normals. What else a file shows and the
-//! tables cannot hold, such as lines, curves, vertex colours and transparent materials, it leaves
-//! out with a warning for each kind.
+//! The converter reads positions, normals, texture coordinates, faces, diffuse colours, textures
+//! and finishes of an OBJ file, the colours of its vertices (`v x y z r g b`), and its smoothing
+//! groups where it has no normals. What else a file shows and the tables cannot hold, such as
+//! lines, curves and textures of opacity, it leaves out with a warning for each kind.
 
 mod cap;
 mod ears;
@@ -41,18 +41,16 @@ mod textures;
 mod triangulate;
 mod validate;
 mod vector;
+mod vertex_colors;
 mod warnings;
 mod weld;
 mod winding;
 mod write;
 
-use std::{
-    collections::HashMap,
-    path::{Path, PathBuf},
-};
+use std::path::{Path, PathBuf};
 
 use rasterizer::{
-    mesh::{Material, Mesh, Normals, Positions, Tables, Triangles},
+    mesh::{Finish, Material, Mesh, Normals, Positions, Tables, Triangles},
     numbers::{Scale, Vec3},
 };
 
@@ -96,10 +94,14 @@ pub struct Model {
     pub face_normals: Vec<[i8; 3]>,
     /// Texture coordinates of the vertices, or none.
     pub texture_coordinates: TextureTable,
+    /// Colours of the vertices, or none.
+    pub vertex_colors: Vec<[u8; 3]>,
     /// Vertex indices, sorted by material.
     pub triangles: Indices,
     /// The colours and how many triangles each covers.
     pub materials: Vec<Material>,
+    /// What the materials show besides, or none if all are matte and opaque.
+    pub finishes: Vec<Finish>,
     /// The textures of the materials, if any of them has one.
     pub textures: Option<Textures>,
     /// The tables before rounding.
@@ -231,12 +233,18 @@ impl Model {
         // The largest of what is no longer needed: of a million triangles 200 MB.
         let all = std::mem::take(&mut polygons.corners);
         let file_textures = faces::texture_coordinates(&all, checked.textured_corners);
+        let colors: Vec<u32> =
+            if options.contents.vertex_colors && !polygons.vertex_colors.is_empty() {
+                all.iter().map(|corner| corner.color).collect()
+            } else {
+                Vec::new()
+            };
         let rings = all.into_iter().map(|corner| corner.position).collect();
         checked.text = String::new();
         if corners.is_empty() {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
-        let used = sort_by_material(&mut corners);
+        let (used, ranks) = sort_by_material(&mut corners, polygons.colors.len());
         let loaded = match options.textures.filter(|_| pictures == Pictures::Kept) {
             None => None,
             Some(textures) => {
@@ -260,6 +268,9 @@ impl Model {
         }
         let materials: Vec<Material> =
             used.iter().map(|&(id, count)| Material::new(polygons.colors[id], count)).collect();
+        let finishes: Vec<Finish> = used.iter().map(|&(id, _)| libraries.finish(id)).collect();
+        let is_matte = finishes.iter().all(|&finish| finish == Finish::MATTE);
+        let finishes = if is_matte { Vec::new() } else { finishes };
         if !options.smoothing_groups {
             corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
         }
@@ -268,7 +279,7 @@ impl Model {
         } else {
             Vec::new()
         };
-        let welded = weld::weld(&corners, &normals, options.contents);
+        let welded = weld::weld(&corners, &normals, &polygons, options.contents);
         at_most_16_bits(path, welded.positions.len())?;
 
         let tables = order::Ordered::new(welded, &materials);
@@ -277,12 +288,12 @@ impl Model {
         };
         let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
         let fitted = fit::fit(path, &original, &shape, options.fit)?;
-        let used: Vec<usize> = used.iter().map(|&(id, _)| id).collect();
         let faces = Faces {
             texture_coordinates: file_textures,
+            vertex_colors: faces::vertex_colors(&polygons, &colors),
             ..Faces::new(
                 &polygons,
-                &used,
+                &ranks,
                 rings,
                 &whole,
                 &fitted,
@@ -335,7 +346,9 @@ impl Model {
             scale,
             offset: fitted.offset,
             texture_coordinates,
+            vertex_colors: tables.welded.colors,
             materials,
+            finishes,
             textures,
             exact,
             report: Report {
@@ -371,8 +384,10 @@ impl Model {
             vertex_normals: Normals::I8(&self.vertex_normals),
             face_normals: Normals::I8(&self.face_normals),
             texture_coordinates: self.texture_coordinates.as_column(),
+            vertex_colors: &self.vertex_colors,
             triangles: self.triangles.as_triangles(),
             materials: &self.materials,
+            finishes: &self.finishes,
         })
     }
 
@@ -404,11 +419,13 @@ impl Model {
             vertex_normals: size_of_val(&self.vertex_normals[..]),
             face_normals: size_of_val(&self.face_normals[..]),
             texture_coordinates: self.texture_coordinates.bytes(),
+            vertex_colors: size_of_val(&self.vertex_colors[..]),
             triangles: match &self.triangles {
                 Indices::U8(triangles) => size_of_val(&triangles[..]),
                 Indices::U16(triangles) => size_of_val(&triangles[..]),
             },
             materials: size_of_val(&self.materials[..]),
+            finishes: size_of_val(&self.finishes[..]),
             textures: self.textures.as_ref().map_or(0, Textures::bytes),
         };
     }
@@ -422,20 +439,23 @@ fn at_most_16_bits(path: &Path, count: usize) -> Result<(), ModelError> {
     }
 }
 
-/// Sorts triangles by material, in the order in which materials are first used, and lists the
-/// materials used, with the number of triangles of each.
-fn sort_by_material(triangles: &mut [Triangle]) -> Vec<(usize, u32)> {
+/// Sorts triangles by material, in the order in which materials are first used. Lists the materials
+/// used, with the number of triangles of each, and for each of all `count` its place in that list.
+fn sort_by_material(
+    triangles: &mut [Triangle],
+    count: usize,
+) -> (Vec<(usize, u32)>, Vec<Option<usize>>) {
     let mut used: Vec<(usize, u32)> = Vec::new();
-    let mut ranks = HashMap::new();
+    let mut ranks = vec![None; count];
     for &Triangle { material, .. } in &*triangles {
-        let rank = *ranks.entry(material).or_insert_with(|| {
+        let rank = *ranks[material].get_or_insert_with(|| {
             used.push((material, 0));
             used.len() - 1
         });
         used[rank].1 += 1;
     }
-    triangles.sort_by_key(|triangle| ranks[&triangle.material]);
-    used
+    triangles.sort_by_key(|triangle| ranks[triangle.material]);
+    (used, ranks)
 }
 
 /// The unrounded tables that `contents` asks for.
@@ -460,7 +480,7 @@ fn exact(
             Vec::new()
         },
         texture_coordinates: if contents.texture_coordinates {
-            texture_coordinates::turned(&welded.textures)
+            welded.textures.iter().map(|&t| texture_coordinates::turned(t)).collect()
         } else {
             Vec::new()
         },

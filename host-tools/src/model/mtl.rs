@@ -4,11 +4,17 @@
 
 use std::path::Path;
 
+use rasterizer::mesh::Finish;
+
 use super::{
     source::{self, Statement},
     texture_map::TextureMap,
     warnings::Tally,
 };
+
+/// The exponent of a material that has `Ks` without `Ns`: the format names none, and others take
+/// 30.
+const DEFAULT_EXPONENT: f64 = 30.0;
 
 /// A material.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,33 +26,64 @@ pub(super) struct Definition {
     pub color: Option<([f64; 3], usize)>,
     /// Its texture, the last `map_Kd`.
     pub texture: Option<TextureMap>,
-    /// Whether it shines by itself, by `Ke`.
-    pub is_emissive: bool,
-    /// The opacity by `d` and the line of that.
+    /// The light that it gives off, by its last valid `Ke`.
+    emission: [f64; 3],
+    /// The colour of its highlights, by its last valid `Ks`.
+    specular: [f64; 3],
+    /// Its last valid `Ns`.
+    exponent: Option<f64>,
+    /// The opacity by its last valid `d` and the line of that.
     dissolve: Option<(f64, usize)>,
-    /// The transparency by `Tr` and the line of that.
+    /// The transparency by its last valid `Tr` and the line of that.
     transparency: Option<(f64, usize)>,
     /// The line of its texture of opacity, `map_d`.
     opacity_texture: Option<usize>,
+    /// The line of its texture of highlights, `map_Ks`.
+    specular_texture: Option<usize>,
 }
 
 impl Definition {
-    /// The line that makes it transparent. Some programs write opacity as `Tr`, so a `d` beside it
-    /// is what counts.
+    /// What it shows besides its colour, in the numbers of a table.
+    pub(super) fn finish(&self) -> Finish {
+        let mut finish = Finish::MATTE
+            .with_emission(quantised(self.emission))
+            .with_opacity(quantised_channel(self.opacity().map_or(1.0, |(opacity, _)| opacity)));
+        let specular = quantised(self.specular);
+        if specular != [0; 3] {
+            let exponent = self.exponent.unwrap_or(DEFAULT_EXPONENT);
+            let exponent = exponent.clamp(1.0, f64::from(Finish::MOST_EXPONENT)).round();
+            finish = finish.with_specular(specular, exponent as u16);
+        }
+        finish
+    }
+
+    /// The opacity, from 0 to 1 if the file does not go beyond that, and the line that gives it.
+    /// Some programs write opacity as `Tr`, so a `d` beside it is what counts.
+    fn opacity(&self) -> Option<(f64, usize)> {
+        self.dissolve.or(self.transparency.map(|(transparency, line)| (1.0 - transparency, line)))
+    }
+
+    /// The line that makes it transparent.
     pub(super) fn transparent_line(&self) -> Option<usize> {
-        let by_number = match (self.dissolve, self.transparency) {
-            (Some((opacity, line)), _) => (opacity < 1.0).then_some(line),
-            (None, Some((transparency, line))) => (transparency > 0.0).then_some(line),
-            (None, None) => None,
-        };
-        by_number.or(self.opacity_texture)
+        let by_number = self.opacity().filter(|&(opacity, _)| opacity < 1.0);
+        by_number.map(|(_, line)| line).or(self.opacity_texture)
+    }
+
+    /// Whether it shines by itself.
+    fn is_emissive(&self) -> bool {
+        self.emission != [0.0; 3]
+    }
+
+    /// The line of a texture that its highlights lack.
+    pub(super) fn gloss_line(&self) -> Option<usize> {
+        self.specular_texture.filter(|_| self.specular != [0.0; 3])
     }
 
     /// The line of its `Kd` if that is black although the material has a colour: that of a texture
     /// or of its own light.
     pub(super) fn black_line(&self) -> Option<usize> {
         let ([r, g, b], line) = self.color?;
-        let is_black = r.max(g).max(b) <= 0.0 && (self.texture.is_some() || self.is_emissive);
+        let is_black = r.max(g).max(b) <= 0.0 && (self.texture.is_some() || self.is_emissive());
         is_black.then_some(line)
     }
 
@@ -63,6 +100,8 @@ pub(super) struct Faults {
     nameless: Tally,
     early: Tally,
     color: Tally,
+    shine: Tally,
+    number: Tally,
     option: Tally,
 }
 
@@ -71,6 +110,8 @@ impl Faults {
         for (tally, fault) in [
             (&self.early, "`Kd` before any `newmtl`"),
             (&self.color, "`Kd` needs three numbers from 0 to 1"),
+            (&self.shine, "`Ks` and `Ke` need three numbers from 0 to 1"),
+            (&self.number, "`Ns`, `d` and `Tr` need a number"),
             (&self.nameless, "`newmtl` without a name"),
         ] {
             tally.warn(warnings, |tally| format!("{fault}: {}", tally.ignored()));
@@ -110,14 +151,23 @@ pub(super) fn definitions(path: &Path, text: &[u8], faults: &mut Faults) -> Vec<
                 Some(color) => material.color = Some((color, line)),
                 None => faults.color.add(path, line),
             },
-            b"Ke" => material.is_emissive = color(&statement).is_some_and(|c| c != [0.0; 3]),
-            b"d" => material.dissolve = last_number(&statement).map(|d| (d, line)),
-            b"Tr" => material.transparency = last_number(&statement).map(|tr| (tr, line)),
+            keyword @ (b"Ks" | b"Ke") => match color(&statement) {
+                Some(color) if keyword == b"Ks" => material.specular = color,
+                Some(color) => material.emission = color,
+                None => faults.shine.add(path, line),
+            },
+            keyword @ (b"Ns" | b"d" | b"Tr") => match (last_number(&statement), keyword) {
+                (None, _) => faults.number.add(path, line),
+                (exponent, b"Ns") => material.exponent = exponent,
+                (Some(opacity), b"d") => material.dissolve = Some((opacity, line)),
+                (Some(transparency), _) => material.transparency = Some((transparency, line)),
+            },
             b"map_Kd" => {
                 let ignore = |option: &[u8]| faults.option.add_word(path, line, option);
                 material.texture = TextureMap::read(&statement, ignore).or(material.texture.take());
             }
             b"map_d" if has_arguments => material.opacity_texture = Some(line),
+            b"map_Ks" if has_arguments => material.specular_texture = Some(line),
             _ => {}
         }
     }
@@ -132,6 +182,15 @@ fn color(statement: &Statement<'_>) -> Option<[f64; 3]> {
         [r, g, b, ..] => Some([r, g, b]),
         _ => None,
     }
+}
+
+/// A colour from 0 to 1 in 255ths.
+pub(super) fn quantised(color: [f64; 3]) -> [u8; 3] {
+    color.map(quantised_channel)
+}
+
+fn quantised_channel(value: f64) -> u8 {
+    (value.clamp(0.0, 1.0) * 255.0).round() as u8
 }
 
 fn number(word: &[u8]) -> Option<f64> {
@@ -181,16 +240,53 @@ mod tests {
 
     #[test]
     fn opacity_goes_before_transparency() {
-        for (text, line) in [
-            ("d 1\nTr 1", None),
-            ("Tr 1", Some(2)),
-            ("Tr 0\nd 0.5", Some(3)),
-            ("d -halo 0.5", Some(2)),
-            ("d 1\nmap_d a.png", Some(3)),
-            ("d x\nTr\nmap_d", None),
+        for (text, opacity, line) in [
+            ("d 1\nTr 1", 255, None),
+            ("Tr 1", 0, Some(2)),
+            ("Tr 0.25", 191, Some(2)),
+            ("Tr 0\nd 0.5", 128, Some(3)),
+            ("d -halo 0.5", 128, Some(2)),
+            ("d 1\nmap_d a.png", 255, Some(3)),
+            ("d x\nTr\nmap_d", 255, None),
+            ("d 0.2\nd x", 51, Some(2)),
+            ("d -3", 0, Some(2)),
+            ("Tr -1", 255, None),
         ] {
             let (definitions, _) = read(format!("newmtl a\n{text}").as_bytes());
-            assert_eq!(definitions[0].transparent_line(), line, "{text}");
+            let finish = Finish::MATTE.with_opacity(opacity);
+            let got = (definitions[0].finish(), definitions[0].transparent_line());
+            assert_eq!(got, (finish, line), "{text}");
+        }
+    }
+
+    #[test]
+    fn highlights_and_light_are_read() {
+        let matte = Finish::MATTE;
+        for (text, finish, faults) in [
+            ("Ns 250", matte, 0),
+            ("Ks 0 0 0\nNs 250\nKe 0 0 0\nillum 2", matte, 0),
+            ("Ks 1 0.5 0\nNs 96.4", matte.with_specular([255, 128, 0], 96), 0),
+            ("Ks 0.2", matte.with_specular([51; 3], 30), 0),
+            ("Ks 1\nNs 0", matte.with_specular([255; 3], 1), 0),
+            ("Ks 9 -1 0\nNs 4000", matte.with_specular([255, 0, 0], 1000), 0),
+            ("Ke 0 0.2 4\nmap_Ks a.png", matte.with_emission([0, 51, 255]), 0),
+            ("Ks 0 0\nKe spectral a.rfl\nNs\nd x", matte, 2),
+        ] {
+            let (definitions, warnings) = read(format!("newmtl a\n{text}").as_bytes());
+            assert_eq!((definitions[0].finish(), warnings.len()), (finish, faults), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_texture_of_highlights_is_lost_where_there_are_highlights() {
+        for (text, line) in [
+            ("map_Ks a.png", None),
+            ("map_Ks a.png\nKs 0 0 0", None),
+            ("Ks 0.5 0 0\nmap_Ks", None),
+            ("Ks 0.5 0 0\nmap_Ks a.png", Some(3)),
+        ] {
+            let (definitions, _) = read(format!("newmtl a\n{text}").as_bytes());
+            assert_eq!(definitions[0].gloss_line(), line, "{text}");
         }
     }
 

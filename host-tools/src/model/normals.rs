@@ -125,13 +125,21 @@ fn shared_normal(around: &[(usize, f64)], faces: &[Vector], crease: f64) -> Opti
 #[cfg(test)]
 mod tests {
     use super::{
-        super::{polygons::Corner, smoothing::Smoothing},
+        super::{
+            polygons::{Corner, NO_COLOR},
+            smoothing::Smoothing,
+        },
         *,
     };
 
     fn triangle(positions: [u32; 3], normal: Vector) -> Triangle {
         Triangle {
-            corners: positions.map(|position| Corner { position, normal, texture: [0.0; 2] }),
+            corners: positions.map(|position| Corner {
+                position,
+                normal,
+                texture: [0.0; 2],
+                color: NO_COLOR,
+            }),
             material: 0,
             smoothing: Smoothing::Unstated,
         }

@@ -72,11 +72,18 @@ pub struct Contents {
     pub face_normals: bool,
     /// Texture coordinates even without a texture, for other shaders; seams take more vertices.
     pub texture_coordinates: bool,
+    /// The colours of vertices, if the file has any (`v x y z r g b`).
+    pub vertex_colors: bool,
 }
 
 impl Default for Contents {
-    /// Both kinds of normals, no texture coordinates but for textures.
+    /// Both kinds of normals, no texture coordinates but for textures, and colours of vertices.
     fn default() -> Self {
-        Self { vertex_normals: true, face_normals: true, texture_coordinates: false }
+        Self {
+            vertex_normals: true,
+            face_normals: true,
+            texture_coordinates: false,
+            vertex_colors: true,
+        }
     }
 }

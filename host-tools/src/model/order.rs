@@ -41,6 +41,7 @@ impl Ordered {
                 positions: vertices.iter().map(|&v| welded.positions[v]).collect(),
                 normals: vertices.iter().map(|&v| welded.normals[v]).collect(),
                 textures: vertices.iter().map(|&v| welded.textures[v]).collect(),
+                colors: vertices.iter().filter_map(|&v| welded.colors.get(v).copied()).collect(),
                 triangles: ordered,
             },
             cache_misses_before,

@@ -21,6 +21,8 @@ pub(super) struct Polygons {
     pub faces: Vec<Face>,
     /// The materials' colours.
     pub colors: Vec<[u8; 3]>,
+    /// The colours of vertices from 0 to 255, which corners name; none if the file has none.
+    pub vertex_colors: Vec<[f64; 3]>,
 }
 
 /// A face.
@@ -44,6 +46,19 @@ pub(super) struct Corner {
     /// Its texture coordinates, v running upwards: those of the file, placed as the material's
     /// texture wants them.
     pub texture: [f64; 2],
+    /// Index of its colour in [`Polygons::vertex_colors`], or [`NO_COLOR`].
+    pub color: u32,
+}
+
+/// A corner without a colour: that of its material counts.
+pub(super) const NO_COLOR: u32 = u32::MAX;
+
+impl Polygons {
+    /// The colour of a corner of a face with this material, from 0 to 255.
+    pub(super) fn color(&self, corner: u32, material: usize) -> [f64; 3] {
+        let own = self.vertex_colors.get(corner as usize).copied();
+        own.unwrap_or_else(|| self.colors[material].map(f64::from))
+    }
 }
 
 /// Parses a checked file.
@@ -75,23 +90,33 @@ pub(super) fn read(
     for tobj::Model { mesh, .. } in &models {
         let material = mesh.material_id.unwrap_or(libraries.materials.len());
         let map = libraries.materials.get(material).and_then(|material| material.map.as_ref());
-        let mut names: Vec<Option<u32>> = vec![None; mesh.positions.len() / 3];
+        let mut names: Vec<Option<[u32; 2]>> = vec![None; mesh.positions.len() / 3];
         for corner in 0..mesh.indices.len() {
             let vertex = mesh.indices[corner];
-            let index = *names[vertex as usize].get_or_insert_with(|| {
+            let [position, color] = *names[vertex as usize].get_or_insert_with(|| {
                 let position = nth(&mesh.positions, vertex);
-                *known.entry(key(position)).or_insert_with(|| {
+                let index = *known.entry(key(position)).or_insert_with(|| {
                     polygons.positions.push(position);
                     polygons.positions.len() as u32 - 1
-                })
+                });
+                if mesh.vertex_color.is_empty() {
+                    return [index, NO_COLOR];
+                }
+                let color: [f64; 3] = nth(&mesh.vertex_color, vertex);
+                if color.iter().any(|channel| channel.is_nan()) {
+                    return [index, NO_COLOR];
+                }
+                polygons.vertex_colors.push(color);
+                [index, polygons.vertex_colors.len() as u32 - 1]
             });
             polygons.corners.push(Corner {
-                position: index,
+                position,
                 normal: nth(&mesh.normals, mesh.normal_indices[corner]),
                 texture: {
                     let texture = nth(&mesh.texcoords, mesh.texcoord_indices[corner]);
                     map.map_or(texture, |(map, _)| map.place(texture))
                 },
+                color,
             });
         }
         // `tobj` leaves the arities out if all faces are triangles.

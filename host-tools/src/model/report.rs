@@ -51,10 +51,14 @@ pub struct Flash {
     pub face_normals: usize,
     /// Two `i16` or `i32` a vertex.
     pub texture_coordinates: usize,
+    /// Three `u8` a vertex.
+    pub vertex_colors: usize,
     /// Three `u8` or `u16` a triangle.
     pub triangles: usize,
     /// One `Material` each.
     pub materials: usize,
+    /// One `Finish` each.
+    pub finishes: usize,
     /// Texels, palettes and planes of alpha.
     pub textures: usize,
 }
@@ -62,14 +66,16 @@ pub struct Flash {
 impl Flash {
     /// The tables by name.
     #[must_use]
-    pub const fn tables(&self) -> [(&'static str, usize); 7] {
+    pub const fn tables(&self) -> [(&'static str, usize); 9] {
         [
             ("positions", self.positions),
             ("vertex_normals", self.vertex_normals),
             ("face_normals", self.face_normals),
             ("texture_coordinates", self.texture_coordinates),
+            ("vertex_colors", self.vertex_colors),
             ("triangles", self.triangles),
             ("materials", self.materials),
+            ("finishes", self.finishes),
             ("textures", self.textures),
         ]
     }
@@ -137,7 +143,8 @@ impl fmt::Display for Report {
             self.cache_misses, self.cache_misses_before
         )?;
         writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
-        let is_shown = |&(name, bytes): &(&str, usize)| name != "textures" || bytes > 0;
+        const RARE: [&str; 3] = ["vertex_colors", "finishes", "textures"];
+        let is_shown = |&(name, bytes): &(&str, usize)| !RARE.contains(&name) || bytes > 0;
         for (name, bytes) in self.flash.tables().into_iter().filter(is_shown) {
             writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;
         }

@@ -14,6 +14,7 @@ mod reading;
 mod shipped;
 mod smoothing;
 mod textures;
+mod vertex_colors;
 mod winding;
 
 /// A cube of side 2 in quads, without normals; a third of its faces blue.
@@ -232,7 +233,7 @@ fn the_same_model_in_other_writing_is_the_same() {
     )
     .unwrap();
     let variants = [
-        "# c\r\nv\t0 0 0\r\nv 3 0 0 1 0 0\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\nmg 1\r\n\
+        "# c\r\nv\t0 0 0\r\nv 3 0 0 1\r\nv 0 4 0\r\nv 0 0 5\r\no x\r\nmg 1\r\n\
          f 1 3 2\r\nf 1 2 4 \\\r\n\r\nf 2 3 \\\r\n4",
         "v 0 0 0\nv 3 0 0\nv 0 4 0\nf -3 -1 -2\nv 0 0 5\ng a b\nl 1 2 3 4\np 1\n\
          f -4 -3 -1\nf -3// -2// -1//",
@@ -307,6 +308,7 @@ fn absent_tables_are_empty() {
             vertex_normals: false,
             face_normals: false,
             texture_coordinates: false,
+            vertex_colors: false,
         },
         ..Options::default()
     };
@@ -389,6 +391,30 @@ pub static TINY_PART: ::rasterizer::mesh::Mesh<'static> = {
 "#
         .replace("VERSION", env!("CARGO_PKG_VERSION"))
     );
+}
+
+#[test]
+fn a_model_has_finishes_only_if_one_of_them_is_not_matte() {
+    let obj = b"mtllib m.mtl\nv 0 0 0\nv 4 0 0\nv 0 3 0\nusemtl a\nf 1 2 3\nusemtl b\nf 1 3 2\n";
+    let model =
+        |mtl: &[u8]| load_files(&[("m.obj", obj), ("m.mtl", mtl)], &Options::default()).unwrap();
+    let matte = model(b"newmtl a\nKd 1\nd 1\nNs 10\nnewmtl b\nKd 1\nKs 0\nnewmtl c\nKs 1\n");
+    assert!(matte.finishes.is_empty() && matte.mesh().tables().finishes.is_empty());
+    assert!(!emit::source(&matte).to_lowercase().contains("finish"));
+    let shiny = model(b"newmtl a\nKd 1\nnewmtl b\nKd 1\nKs 1 0.2 0\nNs 40\nKe 0.4\nd 0.6\n");
+    let finish = Finish::MATTE.with_specular([255, 51, 0], 40).with_emission([102; 3]);
+    assert_eq!(shiny.mesh().tables().finishes, [Finish::MATTE, finish.with_opacity(153)]);
+    let source = emit::source(&shiny);
+    for line in [
+        "//   finishes                    20\n",
+        "        mesh::{Finish, Material, Mesh, Normals, Positions, Tables, Triangles},\n",
+        "    static FINISHES: [Finish; 2] = [\n        Finish::MATTE,\n        \
+         Finish::MATTE.with_specular([255, 51, 0], 40).with_emission([102, 102, 102])\
+         .with_opacity(153),\n    ];\n",
+        "        finishes: &FINISHES,\n",
+    ] {
+        assert!(source.contains(line), "{line}{source}");
+    }
 }
 
 /// The numbers of the table `name` in an emitted file.

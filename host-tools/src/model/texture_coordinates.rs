@@ -64,8 +64,8 @@ fn q14(exact: &[[f64; 2]]) -> Option<Vec<[i16; 2]>> {
 }
 
 /// Turns texture coordinates so that v runs down from the texture's top left.
-pub(super) fn turned(textures: &[[f64; 2]]) -> Vec<[f64; 2]> {
-    textures.iter().map(|&[u, v]| [u, 1.0 - v]).collect()
+pub(super) fn turned([u, v]: [f64; 2]) -> [f64; 2] {
+    [u, 1.0 - v]
 }
 
 /// Rounds turned texture coordinates, and returns the table with what it rounds.
@@ -135,7 +135,7 @@ mod tests {
     #[test]
     fn coordinates_that_fit_stay_where_they_are() {
         let turned =
-            turned(&[[-2.0, 3.0], [0.5, 0.25], [1.999_9, 2.0], [0.0; 2], [0.0; 2], [0.0; 2]]);
+            [[-2.0, 3.0], [0.5, 0.25], [1.999_9, 2.0], [0.0; 2], [0.0; 2], [0.0; 2]].map(turned);
         let TextureTable::I16(table) = table(&turned, true).unwrap() else { panic!() };
         assert_eq!(table[..3], [[-32_768, -32_768], [8_192, 12_288], [32_766, -16_384]]);
     }

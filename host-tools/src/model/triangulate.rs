@@ -233,16 +233,22 @@ pub(super) fn has_area([a, b, c]: [Vector; 3]) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::polygons::NO_COLOR, *};
 
     fn polygon(ring: &[Vector]) -> Polygons {
         Polygons {
             positions: ring.to_vec(),
             corners: (0..ring.len() as u32)
-                .map(|position| Corner { position, normal: [0.0; 3], texture: [0.0; 2] })
+                .map(|position| Corner {
+                    position,
+                    normal: [0.0; 3],
+                    texture: [0.0; 2],
+                    color: NO_COLOR,
+                })
                 .collect(),
             faces: vec![Face { arity: ring.len(), material: 0, smoothing: Smoothing::Unstated }],
             colors: vec![[0; 3]],
+            vertex_colors: Vec::new(),
         }
     }
 

@@ -22,6 +22,7 @@ use super::{
     quote::quote,
     smoothing::Smoothing,
     source::Statement,
+    vertex_colors::VertexColors,
     warnings::Tally,
 };
 
@@ -29,8 +30,9 @@ use super::{
 #[derive(Clone, Debug, Default)]
 pub(super) struct Checked {
     /// Its statements for `tobj`. The last normal is (0, 0, 0) and stands for "none"; the last
-    /// texture coordinates are (0, 0), for the corners without. The names of materials are their
-    /// indices in [`materials`](Self::materials).
+    /// texture coordinates are (0, 0), for the corners without. Where a vertex has a colour, all
+    /// have one from 0 to 255, or NaN. The names of materials are their indices in
+    /// [`materials`](Self::materials).
     pub text: String,
     /// `mtllib` statements: line and argument.
     pub libraries: Vec<(usize, Vec<u8>)>,
@@ -80,23 +82,23 @@ pub(super) fn check(
     let mut smoothing = Smoothing::Unstated;
     let mut unused = Unused::default();
     let mut ignored = Ignored::default();
+    let colors = VertexColors::of(path, statements, contents, &mut checked.warnings);
     for statement in statements {
         let at_line = |fault| ModelError::Line { path: path.into(), line: statement.line, fault };
-        let mut coordinates = |table: usize, keyword, least, dimensions| {
+        let mut coordinates = |table: usize, keyword, least, dimensions, behind: &str| {
             let row = numbers(statement, keyword, least, dimensions)?;
             seen.0[table] += 1;
             if let Some(word) = row.not_finite {
                 unused.0[table].insert(seen.0[table], (statement.line, word.to_vec()));
             }
             // Writing to a string cannot fail.
-            let _ = writeln!(tables[table], "{keyword} {}", row.words.join(" "));
+            let _ = writeln!(tables[table], "{keyword} {}{behind}", row.words.join(" "));
             Ok(())
         };
         match statement.keyword() {
-            // A fourth number is a weight, for curves only. Vertex colours follow it or replace it.
-            b"v" => coordinates(0, "v", 3, 3).map_err(at_line)?,
-            b"vt" => coordinates(1, "vt", 1, 2).map_err(at_line)?,
-            b"vn" => coordinates(2, "vn", 3, 3).map_err(at_line)?,
+            b"v" => coordinates(0, "v", 3, 3, &colors.text(statement)).map_err(at_line)?,
+            b"vt" => coordinates(1, "vt", 1, 2, "").map_err(at_line)?,
+            b"vn" => coordinates(2, "vn", 3, 3, "").map_err(at_line)?,
             // `fo` is its name in older files.
             b"f" | b"fo" => {
                 let corners = face(statement, seen, total).map_err(at_line)?;
@@ -347,7 +349,8 @@ mod tests {
         let checked = check(Path::new("m.obj"), &statements, Contents::default()).unwrap();
         assert_eq!(
             checked.text,
-            "mtllib materials\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nvt 0.25 0\nvt 0 0\n\
+            "mtllib materials\nv 0 0 0 NaN NaN NaN\nv 1 0 0 255 0 0\nv 0 1 0 NaN NaN NaN\n\
+             v 5 5 5 NaN NaN NaN\nvt 0.25 0\nvt 0 0\n\
              vn 0 0 2\nvn 0 0 0\nusemtl 0\nf 1/1/2 2/2/1 3/1/1\nf 1/2/2 2/2/2 4/2/2\n"
         );
         assert_eq!((checked.vertices, checked.faces), (4, 2));

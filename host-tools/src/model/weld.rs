@@ -2,6 +2,7 @@
 
 use super::{
     Contents,
+    polygons::Polygons,
     triangulate::Triangle,
     vector::{Vector, key},
 };
@@ -15,13 +16,21 @@ pub(super) struct Welded {
     pub normals: Vec<Vector>,
     /// Each vertex's texture coordinates, 0 if they are left out.
     pub textures: Vec<[f64; 2]>,
+    /// Each vertex's colour, none if the file has none or they are left out.
+    pub colors: Vec<[u8; 3]>,
     /// Three vertices per triangle.
     pub triangles: Vec<[u32; 3]>,
 }
 
 /// Merges corners that have equal positions and equal values of all that `contents` keeps.
-/// `normals` may be empty if it keeps none.
-pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Contents) -> Welded {
+/// `normals` may be empty if it keeps none; `polygons` has the colours.
+pub(super) fn weld(
+    triangles: &[Triangle],
+    normals: &[[Vector; 3]],
+    polygons: &Polygons,
+    contents: Contents,
+) -> Welded {
+    let has_colors = contents.vertex_colors && !polygons.vertex_colors.is_empty();
     let mut welded = Welded::default();
     let mut known = rustc_hash::FxHashMap::default();
     for (index, triangle) in triangles.iter().enumerate() {
@@ -29,10 +38,13 @@ pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Co
             let corner = &triangle.corners[i];
             let normal = if contents.vertex_normals { normals[index][i] } else { [0.0; 3] };
             let texture = if contents.texture_coordinates { corner.texture } else { [0.0; 2] };
-            *known.entry((corner.position, key(normal), key(texture))).or_insert_with(|| {
+            let color = has_colors
+                .then(|| polygons.color(corner.color, triangle.material).map(|c| c.round() as u8));
+            *known.entry((corner.position, key(normal), key(texture), color)).or_insert_with(|| {
                 welded.positions.push(corner.position);
                 welded.normals.push(normal);
                 welded.textures.push(texture);
+                welded.colors.extend(color);
                 welded.positions.len() as u32 - 1
             })
         });
@@ -44,13 +56,17 @@ pub(super) fn weld(triangles: &[Triangle], normals: &[[Vector; 3]], contents: Co
 #[cfg(test)]
 mod tests {
     use super::{
-        super::{polygons::Corner, smoothing::Smoothing},
+        super::{
+            polygons::{Corner, NO_COLOR},
+            smoothing::Smoothing,
+        },
         *,
     };
 
     #[test]
     fn corners_split_only_where_a_kept_value_differs() {
-        let corner = |position, u| Corner { position, normal: [0.0; 3], texture: [u, 0.0] };
+        let corner =
+            |position, u| Corner { position, normal: [0.0; 3], texture: [u, 0.0], color: NO_COLOR };
         let triangle = |corners| Triangle { corners, material: 0, smoothing: Smoothing::Unstated };
         let triangles = [
             triangle([corner(7, 0.0), corner(8, 0.0), corner(9, 0.0)]),
@@ -60,8 +76,13 @@ mod tests {
         let mut normals = [[up; 3], [up; 3]];
         normals[1][1] = [1.0, 0.0, 0.0];
         let count = |vertex_normals, texture_coordinates| {
-            let contents = Contents { vertex_normals, face_normals: false, texture_coordinates };
-            weld(&triangles, &normals, contents).triangles
+            let contents = Contents {
+                vertex_normals,
+                face_normals: false,
+                texture_coordinates,
+                vertex_colors: true,
+            };
+            weld(&triangles, &normals, &Polygons::default(), contents).triangles
         };
         assert_eq!(count(false, false), [[0, 1, 2], [0, 2, 1]]);
         assert_eq!(count(true, false), [[0, 1, 2], [0, 3, 1]]);

@@ -44,6 +44,8 @@
 //! |---|---|---|
 //! | view transform, projection | `camera.rs` | similar triangles |
 //! | light level of a normal | `light.rs` | Lambert's cosine law |
+//! | several lights, highlights | `lights.rs` | Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
+//! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
@@ -55,17 +57,23 @@
 //! | texels at a coordinate | `texture.rs` | OpenGL 4.6 core profile, section 8.14 |
 //! | mip levels | `mipmaps.rs` | Williams, "Pyramidal parametrics", SIGGRAPH 1983 |
 //! | stored depth | `depth.rs` | IEEE 754, without a sign |
+//! | colours of a display, dithering | `display.rs` | Bayer, "An optimum method for two-level rendition of continuous-tone pictures", ICC 1973; IEC 61966-2-1 |
+//! | layers over a background | `blend.rs` | W3C, Compositing and Blending Level 1 |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
+mod blend;
 mod camera;
 mod chord;
 mod clip;
 mod coverage;
 mod depth;
+mod display;
+mod fog;
 mod footprint;
 mod interpolate;
 mod light;
+mod lights;
 mod mesh;
 mod mipmaps;
 mod picture;
@@ -81,11 +89,15 @@ mod texture;
 mod winding;
 mod wrap;
 
+pub use blend::{Blend, Layer};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
 pub use depth::DepthFormat;
+pub use display::{Display, Steps, luma};
+pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
 pub use light::Light;
+pub use lights::{Finish, Lamp, Lights, Sun, Viewer};
 pub use mesh::{Corner, Culling, Mesh};
 pub use mipmaps::Mipmaps;
 pub use picture::{Fragment, Picture};

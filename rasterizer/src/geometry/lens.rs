@@ -2,7 +2,7 @@
 
 use crate::{
     attribute::InverseW,
-    camera::{Orthographic, Perspective},
+    camera::{Distance, Orthographic, Perspective},
     numbers::{Coordinate, Float, Reciprocal, mul_high_unsigned},
 };
 
@@ -17,6 +17,12 @@ impl Projection for Orthographic {}
 pub(crate) trait Sealed {
     /// The projection in the units of one object's clip space.
     type Lens: Lens;
+
+    /// Whether the viewer is in the same direction from all points.
+    const IS_PARALLEL: bool;
+
+    /// The distance of the near plane, in world units.
+    fn near_distance(&self) -> Distance;
 
     /// The lengths of clip space in one of the world: pixels across at w = 1, and units of z.
     fn magnification(&self, viewport_height: u32) -> [Float; 2];
@@ -84,6 +90,13 @@ const BEYOND: i32 = 1 << BITS;
 
 impl Sealed for Perspective {
     type Lens = PerspectiveLens;
+
+    const IS_PARALLEL: bool = false;
+
+    #[inline(always)]
+    fn near_distance(&self) -> Distance {
+        self.near()
+    }
 
     /// In multiples of the near distance: depth is then 1 / z.
     fn magnification(&self, viewport_height: u32) -> [Float; 2] {
@@ -168,6 +181,13 @@ impl Lens for PerspectiveLens {
 
 impl Sealed for Orthographic {
     type Lens = OrthographicLens;
+
+    const IS_PARALLEL: bool = true;
+
+    #[inline(always)]
+    fn near_distance(&self) -> Distance {
+        self.near()
+    }
 
     fn magnification(&self, viewport_height: u32) -> [Float; 2] {
         [self.pixels_per_unit(viewport_height), Float::new(1, 0)]

@@ -20,6 +20,7 @@ mod pose;
 mod row;
 mod screen;
 mod transform;
+mod view;
 mod visibility;
 
 pub(crate) use clip::{MAX_CORNERS, clip};
@@ -27,4 +28,5 @@ pub use lens::Projection;
 pub use pose::{Pose, PoseError};
 pub use screen::ScreenVertex;
 pub(crate) use transform::{ClipVertex, Transform};
+pub use view::{ObjectView, Viewer};
 pub use visibility::{ClipAll, ClipNone, Clipping, CullBack, CullFront, CullNone, Culling};

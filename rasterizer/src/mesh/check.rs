@@ -1,6 +1,6 @@
 //! The checks that make a mesh safe to draw.
 
-use super::{Tables, TextureCoordinates, Triangles};
+use super::{Finish, Tables, TextureCoordinates, Triangles};
 
 /// What is wrong with a model's tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -30,6 +30,15 @@ pub enum MeshError {
     },
     /// The `fraction_bits` of `texture_coordinates` are below 10 or over 16.
     TextureFractionBits,
+    /// `vertex_colors` is neither empty nor as long as `positions`.
+    VertexColorCount,
+    /// `finishes` is neither empty nor as long as `materials`.
+    FinishCount,
+    /// The exponent of a finish is 0 or over 1,000.
+    FinishExponent {
+        /// The material's place in the table, from 0.
+        material: usize,
+    },
     /// The materials' triangle counts do not add up to the number of triangles.
     MaterialCoverage,
 }
@@ -56,6 +65,9 @@ impl MeshError {
             Self::TextureFractionBits => {
                 "the `fraction_bits` of `texture_coordinates` must be 10 to 16"
             }
+            Self::VertexColorCount => "`vertex_colors` must be empty or as long as `positions`",
+            Self::FinishCount => "`finishes` must be empty or as long as `materials`",
+            Self::FinishExponent { .. } => "the `exponent` of a finish must be 1 to 1,000",
             Self::MaterialCoverage => {
                 "the materials' `triangle_count`s must add up to the number of triangles"
             }
@@ -68,6 +80,7 @@ impl core::fmt::Display for MeshError {
         f.write_str(self.message())?;
         match self {
             Self::IndexOutOfRange { triangle } => write!(f, " (triangle {triangle})"),
+            Self::FinishExponent { material } => write!(f, " (material {material})"),
             Self::TextureRange { vertex } => write!(f, " (vertex {vertex})"),
             _ => Ok(()),
         }
@@ -101,6 +114,12 @@ pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
         return Err(MeshError::TextureCoordinateCount);
     }
     if let Err(error) = texture_coordinates(&tables.texture_coordinates) {
+        return Err(error);
+    }
+    if !is_empty_or(tables.vertex_colors.len(), vertices) {
+        return Err(MeshError::VertexColorCount);
+    }
+    if let Err(error) = finishes(tables) {
         return Err(error);
     }
     materials(tables)
@@ -152,6 +171,22 @@ const fn texture_coordinates(coordinates: &TextureCoordinates<'_>) -> Result<(),
                 return Err(MeshError::TextureFractionBits);
             }
         }
+    }
+    Ok(())
+}
+
+const fn finishes(tables: &Tables<'_>) -> Result<(), MeshError> {
+    let finishes = tables.finishes;
+    if !is_empty_or(finishes.len(), tables.materials.len()) {
+        return Err(MeshError::FinishCount);
+    }
+    let mut material = 0;
+    while material < finishes.len() {
+        let exponent = finishes[material].exponent;
+        if exponent == 0 || exponent > Finish::MOST_EXPONENT {
+            return Err(MeshError::FinishExponent { material });
+        }
+        material += 1;
     }
     Ok(())
 }

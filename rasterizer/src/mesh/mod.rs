@@ -11,6 +11,7 @@
 mod bounds;
 mod check;
 mod columns;
+mod finish;
 mod material;
 mod vertex;
 
@@ -18,6 +19,7 @@ pub use bounds::BoundingBox;
 pub use check::MeshError;
 pub use columns::{Normals, Positions, TextureCoordinates, Triangles};
 use embedded_graphics_core::pixelcolor::Rgb888;
+pub use finish::Finish;
 pub use material::MeshMaterial;
 pub use vertex::{MeshFace, MeshVertex, RequiredTables};
 
@@ -54,10 +56,15 @@ pub struct Tables<'a> {
     pub face_normals: Normals<'a>,
     /// The texture coordinates of each vertex: none, or as many as `positions`.
     pub texture_coordinates: TextureCoordinates<'a>,
+    /// The colour of each vertex: none, or as many as `positions`. Red, green and blue, 0 to 255,
+    /// as stored in pictures (sRGB).
+    pub vertex_colors: &'a [[u8; 3]],
     /// The vertices of each triangle.
     pub triangles: Triangles<'a>,
     /// The materials in the order of the triangles they cover.
     pub materials: &'a [Material],
+    /// What the materials show besides their colours: none, or as many as `materials`.
+    pub finishes: &'a [Finish],
 }
 
 impl Tables<'_> {
@@ -69,8 +76,10 @@ impl Tables<'_> {
         vertex_normals: Normals::NONE,
         face_normals: Normals::NONE,
         texture_coordinates: TextureCoordinates::NONE,
+        vertex_colors: &[],
         triangles: Triangles::U8(&[]),
         materials: &[],
+        finishes: &[],
     };
 }
 
@@ -210,7 +219,31 @@ mod tests {
             fault(|t| t.face_normals = Normals::I8(&[[0, 0, 127]])),
             MeshError::FaceNormalCount
         );
+        assert_eq!(fault(|t| t.vertex_colors = &[[0; 3]]), MeshError::VertexColorCount);
+        assert_eq!(fault(|t| t.vertex_colors = &[[0; 3]; 5]), MeshError::VertexColorCount);
         assert_eq!(fault(|t| t.materials = &[]), MeshError::MaterialCoverage);
+    }
+
+    #[test]
+    fn finishes_are_as_many_as_materials_and_have_exponents() {
+        let finished = |finishes| Mesh::new(Tables { finishes, ..TETRAHEDRON }).map(|_| ());
+        assert_eq!(finished(&[Finish::MATTE; 1]), Ok(()));
+        assert_eq!(finished(&[Finish::MATTE; 2]), Err(MeshError::FinishCount));
+        let materials = &[Material::new([1; 3], 1), Material::new([2; 3], 1)];
+        for (exponent, fits) in [(0, false), (1, true), (1000, true), (1001, false)] {
+            let shiny = Finish::MATTE.with_specular([255; 3], exponent);
+            let finishes = &[Finish::MATTE, shiny];
+            let got = Mesh::new(Tables { materials, finishes, ..TETRAHEDRON }).map(|_| ());
+            let fault = MeshError::FinishExponent { material: 1 };
+            assert_eq!(got, if fits { Ok(()) } else { Err(fault) }, "{exponent}");
+            assert!(std::format!("{fault}").ends_with("(material 1)"), "{fault}");
+        }
+        let finish = Finish::MATTE.with_specular([1, 2, 3], 4).with_emission([5, 6, 7]);
+        let tables = Tables { finishes: &[finish.with_opacity(8)], ..TETRAHEDRON };
+        let material = MeshMaterial::new(&tables, 0);
+        assert_eq!(material.finish(), finish.with_opacity(8));
+        assert_eq!(material.rgb(), Rgb888::new(255, 0, 0));
+        assert_eq!(MeshMaterial::new(&TETRAHEDRON, 0).finish(), Finish::MATTE);
     }
 
     #[test]

@@ -13,6 +13,8 @@ pub struct RequiredTables {
     pub texture_coordinates: bool,
     /// [`Tables::texture_coordinates`] of 16 bits ([`TextureCoordinates::I16`]).
     pub narrow_texture_coordinates: bool,
+    /// [`Tables::vertex_colors`].
+    pub vertex_colors: bool,
 }
 
 impl RequiredTables {
@@ -22,6 +24,7 @@ impl RequiredTables {
         face_normals: false,
         texture_coordinates: false,
         narrow_texture_coordinates: false,
+        vertex_colors: false,
     };
 
     /// `tables` with each per-vertex table that this shader reads cut to `count` entries; `None` if
@@ -47,6 +50,7 @@ impl RequiredTables {
                     fraction_bits,
                 },
             },
+            vertex_colors: cut(tables.vertex_colors, count, self.vertex_colors)?,
             ..*tables
         })
     }
@@ -99,6 +103,13 @@ impl<'a> MeshVertex<'a> {
     pub fn texture_coordinates_q14(&self) -> [i16; 2] {
         self.tables.texture_coordinates.get_q14(self.index).unwrap_or_default()
     }
+
+    /// Its colour: red, green and blue, 0 to 255; black if the mesh has none.
+    #[inline(always)]
+    #[must_use]
+    pub fn color(&self) -> [u8; 3] {
+        self.tables.vertex_colors.get(self.index).copied().unwrap_or_default()
+    }
 }
 
 /// A triangle of a mesh. Each method reads its table when it is called.
@@ -119,6 +130,19 @@ impl<'a> MeshFace<'a> {
     #[must_use]
     pub const fn index(&self) -> usize {
         self.index
+    }
+
+    /// The mean of its corners' positions, in quanta of the mesh, within one of them.
+    #[inline(always)]
+    #[must_use]
+    pub fn center(&self) -> [i16; 3] {
+        let corners = self.tables.triangles.get(self.index).unwrap_or_default();
+        let corners = corners.map(|corner| self.tables.positions.get(corner).unwrap_or_default());
+        // A third is 21,845 / 2^16 within 2^-17.6. The product fits: a sum is -98,304 to 98,301.
+        [0, 1, 2].map(|axis| {
+            let sum: i32 = corners.iter().map(|corner| i32::from(corner[axis])).sum();
+            ((sum * 21_845 + (1 << 15)) >> 16) as i16
+        })
     }
 
     /// Its normal in object space, 127 standing for 1; zero if the mesh has none.

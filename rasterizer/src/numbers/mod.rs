@@ -13,6 +13,7 @@
 
 pub(crate) mod codegen;
 mod coordinate;
+mod direction;
 mod divide;
 mod float;
 mod instructions;
@@ -27,6 +28,7 @@ mod turn;
 mod vector;
 
 pub use coordinate::Coordinate;
+pub(crate) use direction::{Direction, dot_q15, inverse_square, unit_q15};
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use instructions::{

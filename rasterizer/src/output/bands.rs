@@ -9,7 +9,10 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 
-use super::{DepthBuffer, Frame, FrameError, StoredColor, StoredDepth, depth::Lent};
+use super::{
+    BandPixels, DepthBuffer, FrameError, InPages, InRows, PackedColor, StoredDepth, Unpacked,
+    depth::Lent,
+};
 use crate::{attribute::NoDepth, numbers::divide};
 
 /// A rectangle of the display in bands of rows, which are drawn and sent one after the other.
@@ -18,6 +21,10 @@ use crate::{attribute::NoDepth, numbers::divide};
 /// `&'static mut [C; N]` or a box. The rectangle can be the whole display at first, and afterwards
 /// what changed: the union of [`Projected::bounds`](crate::scene::Projected::bounds) of this frame
 /// and the last.
+///
+/// `P` says how pixels lie in it: a band is a [`Frame`](super::Frame), or, if several pixels share
+/// a byte ([`packed`](Bands::packed), [`in_pages`](Bands::in_pages)), a
+/// [`PackedFrame`](super::PackedFrame).
 ///
 /// [`show`](Self::show) draws and sends all of it. A firmware that has other things to do between
 /// two bands takes them one by one, and awaits each transfer in its own way:
@@ -41,54 +48,114 @@ use crate::{attribute::NoDepth, numbers::divide};
 /// # Ok::<(), rasterizer::output::FrameError>(())
 /// ```
 #[derive(Debug)]
-pub struct Bands<M, C, B> {
+pub struct Bands<M, C, B, P = Unpacked> {
     areas: BandAreas,
     color: M,
     depth: B,
-    pixel: PhantomData<C>,
+    pixel: PhantomData<(C, P)>,
 }
 
-impl<'d, M: AsMut<[C]>, C: Copy, D: StoredDepth> Bands<M, C, &'d mut [D]> {
+impl<'d, M: AsMut<[C]>, C: Copy + 'static, D: StoredDepth> Bands<M, C, &'d mut [D]> {
     /// Bands of `area` with a depth buffer, of `u16` for example: each has as many rows as both
     /// buffers hold.
     ///
     /// # Errors
     ///
     /// If a buffer does not hold a row.
-    pub fn new(area: Rectangle, mut color: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
-        let width = area.size.width as usize;
-        let rows = whole_rows(color.as_mut().len(), &area)
-            .ok_or(FrameError::ColorLength { needed: width })?;
-        let rows = rows
-            .min(whole_rows(depth.len(), &area).ok_or(FrameError::DepthLength { needed: width })?);
-        Ok(Self::over(BandAreas::new(area, rows), color, depth))
+    pub fn new(area: Rectangle, color: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
+        Self::with_depth(area, color, depth)
     }
 }
 
-impl<M: AsMut<[C]>, C: Copy> Bands<M, C, NoDepth> {
+impl<M: AsMut<[C]>, C: Copy + 'static> Bands<M, C, NoDepth> {
     /// Bands of `area` without a depth buffer: each has as many rows as the buffer holds.
     ///
     /// # Errors
     ///
     /// If the buffer does not hold a row.
-    pub fn without_depth(area: Rectangle, mut color: M) -> Result<Self, FrameError> {
-        let needed = area.size.width as usize;
-        let rows =
-            whole_rows(color.as_mut().len(), &area).ok_or(FrameError::ColorLength { needed })?;
-        Ok(Self::over(BandAreas::new(area, rows), color, NoDepth))
+    pub fn without_depth(area: Rectangle, color: M) -> Result<Self, FrameError> {
+        Self::of(area, color, NoDepth, area.size.height)
     }
 }
 
-/// The number of an area's rows that `pixels` pixels hold; `None` if they do not hold one.
-fn whole_rows(pixels: usize, area: &Rectangle) -> Option<u32> {
-    let Size { width, height } = area.size;
-    let rows = if width == 0 { height } else { divide(pixels as u32, width).min(height) };
-    (rows > 0 || area.is_zero_sized()).then_some(rows)
+impl<'d, M: AsMut<[u8]>, C: PackedColor + 'static, D: StoredDepth>
+    Bands<M, C, &'d mut [D], InRows>
+{
+    /// Bands of `area` in bytes of several pixels, which lie side by side, with a depth buffer:
+    /// each has as many rows as both buffers hold.
+    ///
+    /// # Errors
+    ///
+    /// If a buffer does not hold a row.
+    pub fn packed(area: Rectangle, bytes: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
+        Self::with_depth(area, bytes, depth)
+    }
 }
 
-impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
-    const fn over(areas: BandAreas, color: M, depth: B) -> Self {
-        Self { areas, color, depth, pixel: PhantomData }
+impl<M: AsMut<[u8]>, C: PackedColor + 'static> Bands<M, C, NoDepth, InRows> {
+    /// Bands of `area` in bytes of several pixels, which lie side by side, without a depth buffer.
+    ///
+    /// # Errors
+    ///
+    /// If the buffer does not hold a row.
+    pub fn packed_without_depth(area: Rectangle, bytes: M) -> Result<Self, FrameError> {
+        Self::of(area, bytes, NoDepth, area.size.height)
+    }
+}
+
+impl<'d, M: AsMut<[u8]>, C: PackedColor + 'static, D: StoredDepth>
+    Bands<M, C, &'d mut [D], InPages>
+{
+    /// Bands of `area` in pages, with a depth buffer. Each has as many rows as both buffers hold,
+    /// down to a multiple of eight: bands begin with a page of the display if `area` does.
+    ///
+    /// # Errors
+    ///
+    /// If a buffer does not hold the eight rows of a page.
+    pub fn in_pages(area: Rectangle, bytes: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
+        Self::with_depth(area, bytes, depth)
+    }
+}
+
+impl<M: AsMut<[u8]>, C: PackedColor + 'static> Bands<M, C, NoDepth, InPages> {
+    /// Bands of `area` in pages, without a depth buffer.
+    ///
+    /// # Errors
+    ///
+    /// If the buffer does not hold the eight rows of a page.
+    pub fn in_pages_without_depth(area: Rectangle, bytes: M) -> Result<Self, FrameError> {
+        Self::of(area, bytes, NoDepth, area.size.height)
+    }
+}
+
+impl<'d, M: AsMut<[P::Unit]>, C, D: StoredDepth, P: BandPixels<C>> Bands<M, C, &'d mut [D], P> {
+    fn with_depth(area: Rectangle, color: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
+        let Size { width, height } = area.size;
+        let rows = if width == 0 { height } else { divide(depth.len() as u32, width) };
+        Self::of(area, color, depth, rows)
+    }
+}
+
+impl<M: AsMut<[P::Unit]>, C, B: DepthBuffer, P: BandPixels<C>> Bands<M, C, B, P> {
+    /// Bands with a depth for `depth_rows` rows.
+    fn of(area: Rectangle, mut color: M, depth: B, depth_rows: u32) -> Result<Self, FrameError> {
+        let Size { width, height } = area.size;
+        // All bands but the last have a multiple of `STEP` rows.
+        let whole = |rows: u32| if rows < height { rows - rows % P::STEP } else { height };
+        let least = Size::new(width, P::STEP.min(height));
+        let is_too_short = |rows: u32| rows == 0 && !area.is_zero_sized();
+        let held = color.as_mut().len();
+        let rows = whole(if width == 0 { height } else { P::rows(held, width) });
+        if is_too_short(rows) {
+            return Err(P::too_short(P::units(least)));
+        }
+        let depth_rows = whole(depth_rows);
+        if is_too_short(depth_rows) {
+            let needed = least.width as usize * least.height as usize;
+            return Err(FrameError::DepthLength { needed });
+        }
+        let areas = BandAreas::new(area, rows.min(depth_rows));
+        Ok(Self { areas, color, depth, pixel: PhantomData })
     }
 
     /// The rectangles of the bands, from the top.
@@ -103,11 +170,12 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
     /// # Errors
     ///
     /// If the memory is too small.
-    pub fn band(&mut self, area: Rectangle) -> Result<Frame<'_, C, Lent<'_, B>>, FrameError> {
-        let needed = area.size.width as usize * area.size.height as usize;
+    pub fn band(&mut self, area: Rectangle) -> Result<P::Frame<'_, Lent<'_, B>>, FrameError> {
+        let needed = P::units(area.size);
         if self.color.as_mut().len() < needed {
-            return Err(FrameError::ColorLength { needed });
+            return Err(P::too_short(needed));
         }
+        let needed = area.size.width as usize * area.size.height as usize;
         if !self.depth.holds(needed) {
             return Err(FrameError::DepthLength { needed });
         }
@@ -116,14 +184,12 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
 
     /// A band as a frame with a cleared depth, in memory that is large enough.
     #[inline(always)]
-    fn part(&mut self, area: Rectangle) -> Frame<'_, C, Lent<'_, B>> {
+    fn part(&mut self, area: Rectangle) -> P::Frame<'_, Lent<'_, B>> {
         let pixels = area.size.width as usize * area.size.height as usize;
         let color = self.color.as_mut();
-        let color_pixels = pixels.min(color.len());
-        let color = color.get_mut(..color_pixels).unwrap_or_default();
-        let mut band = Frame::part(color, self.depth.lend(pixels), area);
-        band.clear_depth();
-        band
+        let units = P::units(area.size).min(color.len());
+        let color = color.get_mut(..units).unwrap_or_default();
+        P::frame(color, self.depth.lend(pixels), area)
     }
 
     /// Gives the bands other memory for their pixels, and returns what they had: with a finished
@@ -138,7 +204,7 @@ impl<M: AsMut<[C]>, C: Copy, B: DepthBuffer> Bands<M, C, B> {
     }
 }
 
-impl<M: AsMut<[C]>, C: StoredColor + PixelColor, B: DepthBuffer> Bands<M, C, B> {
+impl<M: AsMut<[P::Unit]>, C: PixelColor, B: DepthBuffer, P: BandPixels<C>> Bands<M, C, B, P> {
     /// Draws all bands, and sends each to the display before the next is drawn.
     ///
     /// `background` gets each band first, to set all its colours: `|band| band.clear_color(..)`, or
@@ -151,14 +217,14 @@ impl<M: AsMut<[C]>, C: StoredColor + PixelColor, B: DepthBuffer> Bands<M, C, B> 
     pub fn show<T: DrawTarget<Color = C>>(
         &mut self,
         display: &mut T,
-        mut background: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>),
-        mut draw: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>) -> Result<(), Infallible>,
+        mut background: impl FnMut(&mut P::Frame<'_, Lent<'_, B>>),
+        mut draw: impl FnMut(&mut P::Frame<'_, Lent<'_, B>>) -> Result<(), Infallible>,
     ) -> Result<(), T::Error> {
         for area in self.areas {
             let mut band = self.part(area);
             background(&mut band);
             let Ok(()) = draw(&mut band);
-            band.present(display)?;
+            P::send(&band, display)?;
         }
         Ok(())
     }
@@ -176,8 +242,8 @@ impl<M: AsMut<[C]>, C: StoredColor + PixelColor, B: DepthBuffer> Bands<M, C, B> 
     /// the next band.
     pub fn stream<E>(
         mut self,
-        mut background: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>),
-        mut draw: impl FnMut(&mut Frame<'_, C, Lent<'_, B>>) -> Result<(), Infallible>,
+        mut background: impl FnMut(&mut P::Frame<'_, Lent<'_, B>>),
+        mut draw: impl FnMut(&mut P::Frame<'_, Lent<'_, B>>) -> Result<(), Infallible>,
         mut send: impl FnMut(M, Rectangle) -> Result<M, E>,
     ) -> Result<M, StreamError<E>> {
         for area in self.areas {

@@ -5,9 +5,13 @@ use embedded_graphics_core::pixelcolor::{
     IntoStorage, PixelColor, Rgb565, Rgb888,
     raw::{RawData, RawU16},
 };
+use fixed::types::U16F16;
 
 use super::{StoredColor, WordFill};
-use crate::texture::Mix;
+use crate::{
+    color::{Alpha, Channels, Composite, Dither, FullColor},
+    texture::Mix,
+};
 
 /// RGB565 with its more significant byte first, the order in which SPI displays take it: a DMA
 /// channel can send a band of these as it lies in memory.
@@ -75,6 +79,52 @@ impl Mix for Rgb565Be {
     #[inline(always)]
     fn lit(self, level: u32) -> Self {
         Rgb565::from(self).lit(level).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Composite for Rgb565Be {
+    #[inline(always)]
+    fn over(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).over(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn add(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).add(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn multiply(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).multiply(stored.into(), alpha).into()
+    }
+
+    #[inline(always)]
+    fn screen(self, stored: Self, alpha: Alpha) -> Self {
+        Rgb565::from(self).screen(stored.into(), alpha).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Channels for Rgb565Be {
+    type Varyings = [u16; 3];
+
+    #[inline(always)]
+    fn varyings(rgb: [u32; 3]) -> [u16; 3] {
+        Rgb565::varyings(rgb)
+    }
+
+    #[inline(always)]
+    fn of(sample: [U16F16; 3]) -> Self {
+        Rgb565::of(sample).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Dither for Rgb565Be {
+    #[inline(always)]
+    fn dithered<const SIZE: usize>(color: impl FullColor, column: i32, row: i32) -> Self {
+        Rgb565::dithered::<SIZE>(color, column, row).into()
     }
 }
 

@@ -2,13 +2,23 @@
 
 use super::{Readable, Target};
 use crate::{
+    mesh::MeshMaterial,
     raster::{FragmentOf, Primitive, Window},
     shade::Outcome,
 };
 
-/// How the pixels of an object are put onto a target: [`Replace`], or [`Blend`] where the target's
-/// pixels can be read.
+/// How the pixels of an object are put onto a target: [`Replace`], or where the target's pixels can
+/// be read [`Over`](super::Over), [`Add`](super::Add), [`Multiply`](super::Multiply),
+/// [`Screen`](super::Screen), or [`Blend`] by a function. [`KeepDepth`](super::KeepDepth) is any of
+/// them that leaves the stored depth.
 pub trait Blending<T: Target>: Copy {
+    /// Returns it for the triangles of a material.
+    #[inline(always)]
+    #[must_use]
+    fn of_material(self, _: &MeshMaterial<'_>) -> Self {
+        self
+    }
+
     /// Draws a primitive's pixels in a part of the target's window.
     ///
     /// # Errors
@@ -67,7 +77,8 @@ impl<T: Target> Blending<T> for Replace {
 /// A function of the stored colour and the new one: `Blend(|stored, new| ...)`.
 ///
 /// Each pixel is blended when it is drawn, so that the order of triangles matters: see-through
-/// objects are drawn after those behind them. Depth is stored as with [`Replace`].
+/// objects are drawn after those behind them. Depth is stored as with [`Replace`], and an alpha is
+/// tested as there.
 ///
 /// ```
 /// use embedded_graphics_core::pixelcolor::Rgb565;
@@ -129,6 +140,7 @@ struct Blended<C, O, F> {
 
 impl<C, O: Outcome<C>, F: Fn(C, C) -> C> Outcome<C> for Blended<C, O, F> {
     const DISCARDS: bool = O::DISCARDS;
+    const WRITES_DEPTH: bool = O::WRITES_DEPTH;
 
     #[inline(always)]
     fn color(self) -> Option<C> {

@@ -5,9 +5,10 @@ use embedded_graphics_core::pixelcolor::{
     Rgb888,
 };
 
-use super::{Fill, PixelFill};
+use super::{ByteFill, Fill, PixelFill};
+use crate::color::Rgb332;
 
-/// A colour that memory can be filled with: all of embedded-graphics and
+/// A colour that memory can be filled with: all of embedded-graphics, [`Rgb332`] and
 /// [`Rgb565Be`](super::Rgb565Be).
 ///
 /// For your own colour type, it takes one line:
@@ -52,3 +53,7 @@ macro_rules! by_pixels {
 
 by_pixels!(BinaryColor, Gray2, Gray4, Gray8);
 by_pixels!(Rgb555, Rgb565, Rgb666, Rgb888, Bgr555, Bgr565, Bgr666, Bgr888);
+
+impl StoredColor for Rgb332 {
+    type Fill = ByteFill<Self>;
+}

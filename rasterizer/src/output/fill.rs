@@ -112,6 +112,45 @@ impl<C: Pod> Fill<C> for WordFill<C> {
     }
 }
 
+/// Fills by words of four pixels: for colours of one byte that are plain data. Others do not
+/// compile.
+#[derive(Clone, Copy, Debug)]
+pub struct ByteFill<C> {
+    color: C,
+}
+
+impl<C: Pod> Fill<C> for ByteFill<C> {
+    #[inline(always)]
+    fn new(color: C) -> Self {
+        const { assert!(size_of::<C>() == 1, "a pixel must be a byte") }
+        Self { color }
+    }
+
+    #[inline(always)]
+    fn run(&self, pixels: &mut [C]) {
+        if let (Ok(bytes), Ok(byte)) =
+            (bytemuck::try_cast_slice_mut(pixels), bytemuck::try_cast(self.color))
+        {
+            fill_bytes(bytes, byte);
+        }
+    }
+}
+
+/// Sets all bytes: whole words, and what lies before and after them.
+#[inline(always)]
+pub(super) fn fill_bytes(bytes: &mut [u8], value: u8) {
+    let (before, words, after) = bytemuck::pod_align_to_mut::<u8, u32>(bytes);
+    for byte in before {
+        keep_rolled();
+        *byte = value;
+    }
+    fill_words(words, u32::from(value) * 0x0101_0101);
+    for byte in after {
+        keep_rolled();
+        *byte = value;
+    }
+}
+
 #[inline(always)]
 fn fill_words(words: &mut [u32], value: u32) {
     if words.len() < 8 {
@@ -162,13 +201,13 @@ mod tests {
 
     /// Runs of all lengths up to some blocks, from all places in a word: in full, and nothing
     /// beside them.
-    fn fills<F: Fill<u16>>() {
-        for start in 0..4 {
-            for end in start..=start + 170 {
-                let mut pixels = [0u16; 180];
-                F::new(0xA55A).run(&mut pixels[start..end]);
+    fn fills<C: Copy + Default + PartialEq + core::fmt::Debug, F: Fill<C>>(color: C) {
+        for start in 0..8 {
+            for end in start..=start + 290 {
+                let mut pixels = [C::default(); 300];
+                F::new(color).run(&mut pixels[start..end]);
                 for (at, &pixel) in pixels.iter().enumerate() {
-                    let want = if (start..end).contains(&at) { 0xA55A } else { 0 };
+                    let want = if (start..end).contains(&at) { color } else { C::default() };
                     assert_eq!(pixel, want, "pixel {at} of {start} to {end}");
                 }
             }
@@ -177,11 +216,16 @@ mod tests {
 
     #[test]
     fn runs_are_filled_by_pixels() {
-        fills::<PixelFill<u16>>();
+        fills::<u16, PixelFill<u16>>(0xA55A);
     }
 
     #[test]
     fn runs_are_filled_by_words() {
-        fills::<WordFill<u16>>();
+        fills::<u16, WordFill<u16>>(0xA55A);
+    }
+
+    #[test]
+    fn runs_are_filled_by_bytes() {
+        fills::<u8, ByteFill<u8>>(0xA5);
     }
 }

@@ -75,6 +75,11 @@ pub enum FrameError {
         /// The number of pixels that it must have.
         needed: usize,
     },
+    /// The memory of packed pixels must hold all of the rectangle's.
+    PackedLength {
+        /// The number of bytes that it must have.
+        needed: usize,
+    },
     /// The depth buffer must have a cell for each of the rectangle's pixels.
     DepthLength {
         /// The number of cells that it must have.
@@ -92,6 +97,9 @@ impl core::fmt::Display for FrameError {
         match self {
             Self::ColorLength { needed } => {
                 write!(f, "the colour buffer must have {needed} pixels")
+            }
+            Self::PackedLength { needed } => {
+                write!(f, "the memory of packed pixels must have {needed} bytes")
             }
             Self::DepthLength { needed } => write!(f, "the depth buffer must have {needed} cells"),
             Self::Stride { needed } => write!(f, "the stride must be {needed} pixels or more"),

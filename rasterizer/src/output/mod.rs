@@ -1,23 +1,37 @@
 //! Where pixels go: into memory, or straight onto a display.
 
+mod band_pixels;
 mod bands;
 mod big_endian;
+mod bits;
 mod blending;
 mod color;
 mod depth;
 mod direct;
+mod dithering;
+mod factor;
 mod fill;
 mod frame;
+mod keep_depth;
+mod modes;
+mod packed;
 mod pixels;
 
+pub use band_pixels::{BandPixels, Unpacked};
 pub use bands::{BandAreas, Bands, StreamError};
 pub use big_endian::Rgb565Be;
+pub use bits::{BitOrder, InPages, InRows, PackedColor};
 pub use blending::{Blend, Blending, Replace};
 pub use color::StoredColor;
 pub use depth::{DepthBuffer, FrameDepth, StoredDepth};
 pub use direct::Direct;
-pub use fill::{Fill, PixelFill, WordFill};
+pub use dithering::Dithering;
+pub use factor::{Factor, MaterialOpacity};
+pub use fill::{ByteFill, Fill, PixelFill, WordFill};
 pub use frame::{Frame, FrameError, Packed, Rows, Strided};
+pub use keep_depth::KeepDepth;
+pub use modes::{Add, Multiply, Over, Screen};
+pub use packed::PackedFrame;
 
 use crate::{
     attribute::DepthFormat,

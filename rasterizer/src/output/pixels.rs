@@ -14,8 +14,8 @@ use crate::{
 const LONG_RUN: usize = 16;
 
 /// Draws those pixels of a primitive that are nearer than what is stored, which their depth then
-/// replaces: what was drawn first wins a tie. `pixel` gets the stored colour and the fragment.
-/// Addresses in `layout` count in `colors` as in `cells`.
+/// replaces, unless their outcome leaves it: what was drawn first wins a tie. `pixel` gets the
+/// stored colour and the fragment. Addresses in `layout` count in `colors` as in `cells`.
 #[inline(always)]
 pub(super) fn draw<C: Copy, Q: Primitive, O: Outcome<C>>(
     colors: &mut [C],
@@ -228,11 +228,11 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
             return;
         }
         // codegen: before the shader runs, where nothing can prevent it: one register less.
-        if !O::DISCARDS {
+        if O::WRITES_DEPTH && !O::DISCARDS {
             *cell = depth;
         }
         if let Some(outcome) = pixel(*color, here.fragment(place)).color() {
-            if O::DISCARDS {
+            if O::WRITES_DEPTH && O::DISCARDS {
                 *cell = depth;
             }
             *color = outcome;

@@ -36,6 +36,14 @@ impl<'v, V: Interpolate> Gradients<'v, V> {
         self.corners.map(|&varyings| varyings)
     }
 
+    /// Returns those of a part of the varyings: for a shader that adds its own to another's.
+    #[inline(always)]
+    #[must_use]
+    pub fn part<A>(&self, part: impl Fn(&'v V) -> &'v A) -> Gradients<'v, A> {
+        let Self { corners, places, area, subpixel_bits } = *self;
+        Gradients { corners: corners.map(part), places, area, subpixel_bits }
+    }
+
     /// Twice the area in square pixels, with 2 [`subpixel_bits`](Self::subpixel_bits) binary digits
     /// behind the point: negative if the corners run counter-clockwise on the screen.
     #[inline(always)]
@@ -65,6 +73,21 @@ impl<'v, V: Interpolate> Gradients<'v, V> {
             ScreenVertex::<S, NoDepth, V>::new(x, y, NoDepth, *self.corners[i])
         });
         Triangle::with_area([&a, &b, &c], self.area).varyings_field()
+    }
+}
+
+impl<'v, A: Interpolate, B: Interpolate> Gradients<'v, (A, B)> {
+    /// Those of the first of two varyings.
+    #[inline(always)]
+    #[must_use]
+    pub const fn of_first(&self) -> Gradients<'v, A> {
+        let [(a, _), (b, _), (c, _)] = self.corners;
+        Gradients {
+            corners: [a, b, c],
+            places: self.places,
+            area: self.area,
+            subpixel_bits: self.subpixel_bits,
+        }
     }
 }
 

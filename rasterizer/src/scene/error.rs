@@ -19,6 +19,11 @@ pub enum ProjectError {
         /// The number of words that they take.
         needed: usize,
     },
+    /// There are fewer words than the mesh has triangles to sort from back to front.
+    SortStorage {
+        /// The number of words that they take.
+        needed: usize,
+    },
     /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
     NoVertexNormals,
     /// The shader reads normals of triangles, and the mesh has none: convert the model with them.
@@ -28,6 +33,8 @@ pub enum ProjectError {
     /// The shader reads texture coordinates of 16 bits, and those of the mesh have more: give the
     /// shader `with_wide_coordinates()`.
     WideTextureCoordinates,
+    /// The shader reads colours of vertices, and the mesh has none: convert a model that has them.
+    NoVertexColors,
     /// The object is too large for how near it comes.
     Pose(PoseError),
 }
@@ -47,6 +54,9 @@ impl core::fmt::Display for ProjectError {
             Self::BinStorage { needed } => {
                 write!(f, "the bands need {needed} words for their triangles")
             }
+            Self::SortStorage { needed } => {
+                write!(f, "sorting the triangles from back to front takes {needed} words")
+            }
             Self::NoVertexNormals => {
                 f.write_str("the shader needs vertex normals, which the mesh was converted without")
             }
@@ -59,6 +69,9 @@ impl core::fmt::Display for ProjectError {
             Self::WideTextureCoordinates => f.write_str(
                 "the shader reads texture coordinates of 16 bits, and those of the mesh have more: \
                  give it `with_wide_coordinates()`",
+            ),
+            Self::NoVertexColors => f.write_str(
+                "the shader needs colours of vertices, which the mesh was converted without",
             ),
             Self::Pose(error) => error.fmt(f),
         }
@@ -110,6 +123,8 @@ pub(super) const fn check_tables(
         && !matches!(tables.texture_coordinates, TextureCoordinates::I16(_))
     {
         Err(ProjectError::WideTextureCoordinates)
+    } else if required.vertex_colors && tables.vertex_colors.is_empty() {
+        Err(ProjectError::NoVertexColors)
     } else {
         Ok(())
     }

@@ -3,8 +3,9 @@
 //! For a frame of several objects call [`Object::draw`] once for each; each call is compiled for
 //! its shader. Where the frame is drawn in bands, [`Object::project`] does the work on the vertices
 //! once, [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`]
-//! is called for each band. [`Object::project_on_demand`] needs no storage for vertices. [`Needs`]
-//! gives the length of every buffer at compile time.
+//! is called for each band. [`Projected::back_to_front`] sorts triangles for objects that are
+//! blended. [`Object::project_on_demand`] needs no storage for vertices. [`Needs`] gives the length
+//! of every buffer at compile time.
 //!
 //! # Stack discipline
 //!
@@ -14,6 +15,7 @@
 //! out-parameter, instead of returned and copied; a value that is built before it is known to be
 //! valid ([`Projected`]) is checked by the function that builds it, before that returns it.
 
+mod back_to_front;
 mod bins;
 mod error;
 mod mode;
@@ -21,8 +23,10 @@ mod needs;
 mod order;
 mod projected;
 mod seen;
+mod sort;
 mod vertices;
 
+pub use back_to_front::BackToFront;
 pub use bins::{Bins, bin_words};
 pub use error::{DrawError, ProjectError};
 pub use mode::{Mode, Modes};
@@ -96,8 +100,9 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy> Object<'a, Sh, Modes<K, L
     }
 
     /// The same object with its pixels put onto the target in another way:
-    /// [`Replace`](crate::output::Replace), or [`Blend`](crate::output::Blend) with a function of
-    /// the stored colour and the new one.
+    /// [`Replace`](crate::output::Replace), a mode such as [`Over`](crate::output::Over) or
+    /// [`Add`](crate::output::Add), [`Blend`](crate::output::Blend) with a function of the stored
+    /// colour and the new one; or one of them in [`KeepDepth`](crate::output::KeepDepth).
     #[must_use]
     pub fn blended<N: Copy>(self, blending: N) -> Object<'a, Sh, Modes<K, L, N>> {
         let Modes { culling, clipping, .. } = self.mode;

@@ -40,6 +40,9 @@ pub struct Needs {
     pub vertices: usize,
     /// Words of bins, for [`Projected::binned`](super::Projected::binned).
     pub bin_words: usize,
+    /// Words for [`Projected::back_to_front`](super::Projected::back_to_front): one for each
+    /// triangle. Not part of [`bytes`](Self::bytes), as few objects need it.
+    pub sort_words: usize,
     /// Pixels of a band: of colour and, if it is tested, of depth.
     pub pixels: usize,
 }
@@ -52,12 +55,13 @@ impl Needs {
         Self {
             vertices: mesh.vertex_count(),
             bin_words: bin_words(mesh.triangle_count(), viewport.height, band_rows),
+            sort_words: mesh.triangle_count(),
             pixels: viewport.width as usize * band_rows as usize,
         }
     }
 
-    /// The bytes of all three together, with sub-pixels `S`, depth `D`, and the colour and the
-    /// varyings of a shader.
+    /// The bytes of vertices, bins and pixels together, with sub-pixels `S`, depth `D`, and the
+    /// colour and the varyings of a shader.
     #[must_use]
     pub const fn bytes<S, D, Sh: Shader>(&self) -> usize {
         self.vertices * size_of::<ScreenVertex<S, D, OnScreen<Sh>>>()

@@ -3,18 +3,18 @@
 use core::ops::Range;
 
 use crate::{
-    mesh::{Material, MeshMaterial},
+    mesh::{MeshMaterial, Tables},
     raster::Window,
 };
 
-/// The order of an object's triangles: [`MeshOrder`], or [`Bins`](super::Bins) that leave out those
-/// that miss a band.
+/// The order of an object's triangles: [`MeshOrder`], [`Bins`](super::Bins) that leave out those
+/// that miss a band, or [`BackToFront`](super::BackToFront).
 pub trait Order: Copy + Sequence {}
 
 mod private {
     use core::ops::Range;
 
-    use super::{Material, MeshMaterial, Window, for_each_material};
+    use super::{MeshMaterial, Tables, Window, for_each_material};
 
     /// A sequence of triangles.
     pub trait Sequence {
@@ -33,10 +33,10 @@ mod private {
         #[inline(always)]
         fn for_each_run<E>(
             &self,
-            materials: &[Material],
+            tables: &Tables<'_>,
             visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
         ) -> Result<(), E> {
-            for_each_material(materials, visit)
+            for_each_material(tables, visit)
         }
 
         /// The triangles of a run that may reach the window.
@@ -68,13 +68,13 @@ impl Sequence for MeshOrder {
 /// Visits the materials with the triangles that each covers.
 #[inline(always)]
 fn for_each_material<E>(
-    materials: &[Material],
+    tables: &Tables<'_>,
     mut visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut first = 0;
-    for (index, material) in materials.iter().enumerate() {
+    for (index, material) in tables.materials.iter().enumerate() {
         let end = first + material.triangle_count as usize;
-        visit(MeshMaterial::new(material, index), first..end)?;
+        visit(MeshMaterial::new(tables, index), first..end)?;
         first = end;
     }
     Ok(())

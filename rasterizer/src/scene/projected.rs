@@ -94,7 +94,7 @@ where
         let rows = Rows::of::<V::Subpixel>(&window);
         let mut lookup = seen.vertices.lookup();
         let reach = self.order.reach(&window, &seen.viewport);
-        self.order.for_each_run(seen.tables.materials, |material, run| {
+        self.order.for_each_run(seen.tables, |material, run| {
             // Made when the first triangle needs it: in a band most materials are not seen.
             let mut surface = None;
             let triangles = (&self.order, &reach, run);
@@ -106,7 +106,7 @@ where
                 let Some(surface) = &surface else { return Ok(()) };
                 let triangle = Triangle::with_area(corners, area);
                 let face = MeshFace::new(seen.tables, index);
-                let blending = seen.mode.blending();
+                let blending = seen.mode.blending().of_material(&material);
                 match seen.shader.face(surface, &face, &Gradients::of(&triangle)) {
                     Face::Solid(color) => blending.fill(target, &triangle, &window, color),
                     Face::Shaded(face) => {

@@ -9,8 +9,8 @@ use crate::{
     attribute::DepthFormat,
     camera::Camera,
     geometry::{
-        ClipVertex, Clipping, Culling, MAX_CORNERS, PoseError, Projection, ScreenVertex, Transform,
-        clip,
+        ClipVertex, Clipping, Culling, MAX_CORNERS, ObjectView, PoseError, Projection,
+        ScreenVertex, Transform, clip,
     },
     mesh::{MeshMaterial, MeshVertex, Tables},
     numbers::{Subpixel, codegen},
@@ -45,9 +45,10 @@ impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Seen<'a,
     #[inline(always)]
     pub(super) fn new(object: &Object<'a, Sh, M>, camera: &Camera<P>, vertices: V) -> Self {
         let tables = object.mesh.tables();
+        let view = ObjectView::new(object.mesh, &object.pose, camera);
         let mut seen = Self {
             tables,
-            shader: object.shader.for_object(&object.pose),
+            shader: object.shader.for_object(&view),
             transform: Transform::new::<V::Subpixel>(camera, &object.pose, object.mesh),
             vertices,
             is_outside_view: false,
@@ -132,6 +133,20 @@ where
             }
             Ok::<(), Infallible>(())
         });
+    }
+
+    /// How far the middle of a triangle lies along the camera's axis, in an object's own units:
+    /// more is farther away.
+    pub(super) fn distance(&self, index: usize) -> i32 {
+        let corners = self.tables.triangles.get(index).unwrap_or_default();
+        let mut sum = [0; 3];
+        for corner in corners {
+            let position = self.tables.positions.get(corner).unwrap_or_default();
+            for (sum, c) in sum.iter_mut().zip(position) {
+                *sum += i32::from(c);
+            }
+        }
+        self.transform.distance::<CoordinateOf<V, Sh>>(sum)
     }
 
     /// Visits those of the triangles that are seen and may reach `rows`, with their signed areas.

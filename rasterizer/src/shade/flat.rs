@@ -5,9 +5,12 @@ use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 use fixed::types::U16F16;
 
-use super::{Face, Light, Shader, lit::Lit};
+use super::{
+    Face, Light, Lighting, Shader,
+    lit::{Lit, face_level},
+};
 use crate::{
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
 };
@@ -51,26 +54,26 @@ impl<C: Copy + From<Rgb888>> Shader for Unlit<C> {
     }
 }
 
-/// The material's colour, lit by the normal of the triangle. Needs
-/// [`face_normals`](crate::mesh::Tables::face_normals).
+/// The material's colour, lit by the normal of the triangle, and by a [`Lamp`](super::Lamp) at its
+/// middle. Needs [`face_normals`](crate::mesh::Tables::face_normals).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Flat<C>(Lit<C>);
+pub struct Flat<C, L = Light>(Lit<C, L>);
 
-impl<C> Flat<C> {
+impl<C, L> Flat<C, L> {
     /// Lit by `light`.
     #[must_use]
-    pub const fn new(light: Light) -> Self {
+    pub const fn new(light: L) -> Self {
         Self(Lit::by(light))
     }
 
     /// Its light.
     #[must_use]
-    pub const fn light(&self) -> &Light {
+    pub const fn light(&self) -> &L {
         &self.0.light
     }
 }
 
-impl<C: Copy + From<Rgb888>> Shader for Flat<C> {
+impl<C: Copy + From<Rgb888>, L: Lighting> Shader for Flat<C, L> {
     type Color = C;
     type Varyings = [u16; 0];
     type Surface = Rgb888;
@@ -79,8 +82,8 @@ impl<C: Copy + From<Rgb888>> Shader for Flat<C> {
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..RequiredTables::NONE };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self(self.0.for_object(pose))
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self(self.0.for_object(view))
     }
 
     #[inline(always)]
@@ -100,7 +103,7 @@ impl<C: Copy + From<Rgb888>> Shader for Flat<C> {
         face: &MeshFace<'_>,
         _: &Gradients<'_, [u16; 0]>,
     ) -> Face<C, ()> {
-        Face::Solid(scaled_color(*surface, self.0.light.level(face.normal())))
+        Face::Solid(scaled_color(*surface, face_level(&self.0.light, face)))
     }
 
     #[inline(always)]

@@ -3,9 +3,12 @@
 use embedded_graphics_core::pixelcolor::Rgb888;
 use fixed::types::U16F16;
 
-use super::{Light, Ramp, Shader, lit::Lit};
+use super::{
+    Light, Lighting, Ramp, Shader,
+    lit::{Lit, vertex_level},
+};
 use crate::{
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
     raster::Fragment,
 };
@@ -17,25 +20,25 @@ use crate::{
 /// distances from the camera differ by a factor r, it is off by at most (√r - 1) / (√r + 1) of the
 /// difference between the corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Gouraud<C, const LEVELS: usize = 64>(Lit<C>);
+pub struct Gouraud<C, const LEVELS: usize = 64, L = Light>(Lit<C, L>);
 
-impl<C> Gouraud<C> {
+impl<C, L> Gouraud<C, 64, L> {
     /// Lit by `light`, in 64 levels.
     #[must_use]
-    pub const fn new(light: Light) -> Self {
+    pub const fn new(light: L) -> Self {
         Self::with_levels(light)
     }
 }
 
-impl<C, const LEVELS: usize> Gouraud<C, LEVELS> {
+impl<C, const LEVELS: usize, L> Gouraud<C, LEVELS, L> {
     /// Lit by `light`, in `LEVELS` levels, a power of two.
     #[must_use]
-    pub const fn with_levels(light: Light) -> Self {
+    pub const fn with_levels(light: L) -> Self {
         Self(Lit::by(light))
     }
 }
 
-impl<C: Copy + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LEVELS> {
+impl<C: Copy + From<Rgb888>, const LEVELS: usize, L: Lighting> Shader for Gouraud<C, LEVELS, L> {
     type Color = C;
     /// The place of the light level in the ramp.
     type Varyings = [u16; 1];
@@ -45,8 +48,8 @@ impl<C: Copy + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LEVELS> 
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self(self.0.for_object(pose))
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self(self.0.for_object(view))
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {
@@ -55,7 +58,7 @@ impl<C: Copy + From<Rgb888>, const LEVELS: usize> Shader for Gouraud<C, LEVELS> 
 
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 1] {
-        [Ramp::<C, LEVELS>::varying(self.0.light.level(vertex.normal()))]
+        [Ramp::<C, LEVELS>::varying(vertex_level(&self.0.light, vertex))]
     }
 
     #[inline(always)]

@@ -2,9 +2,14 @@
 
 use fixed::types::U1F15;
 
+use super::{
+    lighting::{FULL, Illuminate, add},
+    place::Anywhere,
+    spot::{Spot, Viewpoint, half},
+};
 use crate::{
-    geometry::Pose,
-    numbers::{Vec3, mul_q30, unit},
+    geometry::{ObjectView, Pose},
+    numbers::{Vec3, dot_q15, mul_q30, unit},
 };
 
 /// A brightness: Q1.15, where 1 is full.
@@ -53,12 +58,7 @@ impl Light {
     #[inline(always)]
     #[must_use]
     pub fn level(&self, normal: [i8; 3]) -> u32 {
-        let [x, y, z] = normal;
-        let [lx, ly, lz] = self.factors;
-        // Both are below 2 and so below 2^29, even for normals that rounding made 1 % longer.
-        let direct = (i32::from(x) * lx + i32::from(y) * ly + i32::from(z) * lz).max(0) as u32;
-        let level = (u32::from(self.ambient.to_bits()) << 13) + direct;
-        level.min(1 << 28) >> 12
+        self.brightness(normal, [0; 3]) >> 12
     }
 
     /// The direction towards the light in Q30.
@@ -77,6 +77,58 @@ impl Light {
     #[must_use]
     pub const fn diffuse(&self) -> Level {
         self.diffuse
+    }
+}
+
+/// A [`Light`] as pixels need it.
+#[derive(Clone, Copy, Debug)]
+pub struct Beam {
+    /// The direction towards it, in Q15.
+    toward: [i32; 3],
+    /// The direction halfway between that and the one towards a far viewer, in Q15.
+    half: [i32; 3],
+    /// In Q30.
+    ambient: u32,
+    /// In Q15.
+    level: u32,
+}
+
+impl Illuminate for Light {
+    type Beams = Beam;
+    type Place = Anywhere;
+
+    const NO_BEAMS: Beam = Beam { toward: [0; 3], half: [0; 3], ambient: 0, level: 0 };
+
+    fn for_view(&self, view: &ObjectView<'_>) -> Self {
+        self.for_object(view.pose())
+    }
+
+    #[inline(always)]
+    fn brightness(&self, [x, y, z]: [i8; 3], _: [i16; 3]) -> u32 {
+        let [lx, ly, lz] = self.factors;
+        // Both are below 2 and so below 2^29, even for normals that rounding made 1 % longer.
+        let direct = (i32::from(x) * lx + i32::from(y) * ly + i32::from(z) * lz).max(0) as u32;
+        let level = (u32::from(self.ambient.to_bits()) << 13) + direct;
+        level.min(1 << 28)
+    }
+
+    fn beams(&self, viewer: [i32; 3]) -> Beam {
+        let toward = self.toward.map(|c| (c + (1 << 14)) >> 15);
+        Beam {
+            toward,
+            half: half(&toward, &viewer),
+            ambient: (u32::from(self.ambient.to_bits()) << 15).min(FULL),
+            level: self.diffuse.to_bits().into(),
+        }
+    }
+
+    #[inline(always)]
+    fn shine<V: Viewpoint>(beam: &Beam, spot: &Spot<'_, V>, sum: &mut [u32; 2]) {
+        let cosine = dot_q15(&spot.normal, &beam.toward).max(0) as u32 >> 15;
+        add(&mut sum[0], beam.ambient);
+        add(&mut sum[0], (cosine * beam.level).min(FULL));
+        let half = if V::IS_NEAR { spot.half(&beam.toward) } else { beam.half };
+        add(&mut sum[1], spot.highlight(&half, beam.level));
     }
 }
 

@@ -2,22 +2,39 @@
 
 use core::marker::PhantomData;
 
-use super::Light;
-use crate::geometry::Pose;
+use super::{Lighting, lighting};
+use crate::{
+    geometry::ObjectView,
+    mesh::{MeshFace, MeshVertex},
+};
 
-/// A light on surfaces of colour `C`.
+/// Lights on surfaces of colour `C`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Lit<C> {
-    pub(super) light: Light,
+pub(super) struct Lit<C, L> {
+    pub(super) light: L,
     color: PhantomData<C>,
 }
 
-impl<C> Lit<C> {
-    pub(super) const fn by(light: Light) -> Self {
+impl<C, L> Lit<C, L> {
+    pub(super) const fn by(light: L) -> Self {
         Self { light, color: PhantomData }
     }
+}
 
-    pub(super) fn for_object(&self, pose: &Pose) -> Self {
-        Self::by(self.light.for_object(pose))
+impl<C, L: Lighting> Lit<C, L> {
+    pub(super) fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self::by(self.light.for_view(view))
     }
+}
+
+/// The brightness of a vertex in Q16, from 0 to 65,536.
+#[inline(always)]
+pub(super) fn vertex_level<L: Lighting>(light: &L, vertex: &MeshVertex<'_>) -> u32 {
+    lighting::level(light, vertex.normal(), vertex.position())
+}
+
+/// The brightness of a triangle in Q16, from 0 to 65,536.
+#[inline(always)]
+pub(super) fn face_level<L: Lighting>(light: &L, face: &MeshFace<'_>) -> u32 {
+    lighting::level(light, face.normal(), face.center())
 }

@@ -9,29 +9,59 @@
 //! Colours are computed in the values that pictures store, without a gamma curve, as small displays
 //! expect.
 
+mod colored;
+mod dithered;
+mod faded;
+mod finished;
 mod flat;
+mod fog;
+mod gloss;
+mod glossy_gouraud;
 mod gouraud;
+mod lamp;
 mod light;
+mod lighting;
 mod lit;
+mod matcap;
+mod phong;
+mod place;
+mod point;
 mod ramp;
+mod recolored;
+#[cfg(test)]
+mod scenes;
 mod skin;
+mod spot;
 mod textured;
 mod textured_flat;
 mod textured_gouraud;
 
+pub use colored::{Colored, ColoredGouraud};
+pub use dithered::{Dithered, DitheredFace, DitheredPixel};
+pub use faded::{Faded, FadedPixel};
 pub use flat::{Flat, Unlit};
+#[doc(hidden)]
+pub use fog::SeenFog;
+pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged, FoggedFace};
+pub use glossy_gouraud::GlossyGouraud;
 pub use gouraud::Gouraud;
+pub use lamp::Lamp;
 pub use light::{Level, Light};
+pub use lighting::Lighting;
+pub use matcap::Matcap;
+pub use phong::{Phong, PhongCorrection};
 pub use ramp::Ramp;
+pub use recolored::Recolored;
 pub use skin::{Covered, Slot, VertexCoordinates};
+pub use spot::{FarViewer, NearViewer, ViewedFrom};
 pub use textured::Textured;
 pub use textured_flat::TexturedFlat;
 pub use textured_gouraud::TexturedGouraud;
 
-pub use crate::texture::Outcome;
+pub use crate::texture::{Layer, Outcome};
 use crate::{
     attribute::{Interpolate, Varyings},
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
 };
@@ -82,16 +112,17 @@ pub trait Shader: Clone {
     type Surface;
     /// What is computed from a triangle before its pixels are drawn: `()` for most shaders.
     type Face: Default + Copy;
-    /// The result for a pixel: the colour, or an `Option` of it in a shader that discards pixels.
+    /// The result for a pixel: the colour, an `Option` of it in a shader that discards pixels, or a
+    /// [`Layer`] in one that gives each pixel an alpha.
     type Outcome: Outcome<Self::Color>;
 
     /// The mesh tables that the shader reads. Drawing a mesh without one of them is an error.
     const TABLES: RequiredTables = RequiredTables::NONE;
 
-    /// Returns the shader for an object in this pose, with its directions in object space. Called
-    /// once per projected object.
+    /// Returns the shader for an object as a camera sees it, with its directions in object space.
+    /// Called once per projected object.
     #[must_use]
-    fn for_object(&self, _pose: &Pose) -> Self {
+    fn for_object(&self, _view: &ObjectView<'_>) -> Self {
         self.clone()
     }
 
@@ -148,4 +179,10 @@ pub enum Face<C, F> {
     Solid(C),
     /// What its pixels are shaded with.
     Shaded(F),
+}
+
+impl<C, F: Default> Default for Face<C, F> {
+    fn default() -> Self {
+        Self::Shaded(F::default())
+    }
 }

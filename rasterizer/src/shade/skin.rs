@@ -143,7 +143,13 @@ impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'
 
     #[inline(always)]
     pub(super) fn vertex(vertex: &MeshVertex<'_>) -> Varying<S, F, M, C> {
-        let coordinates = <S::Texture as TexelMap>::Coordinates::<C>::from(C::of(vertex));
+        Self::at(C::of(vertex))
+    }
+
+    /// The varying of these coordinates.
+    #[inline(always)]
+    pub(super) fn at(coordinates: [C; 2]) -> Varying<S, F, M, C> {
+        let coordinates = <S::Texture as TexelMap>::Coordinates::<C>::from(coordinates);
         PerspectiveCorrect::new(coordinates.into())
     }
 
@@ -264,13 +270,18 @@ pub(super) mod square {
     const WIDE: TextureCoordinates<'_> =
         TextureCoordinates::I32(&[[0, 1 << 24], [1 << 24, 1 << 24], [1 << 24, 0], [0, 0]]);
 
+    /// The rectangle of the picture.
+    pub(in crate::shade) const fn screen() -> Rectangle {
+        Rectangle::new(Point::zero(), Size::new_equal(SIDE as u32))
+    }
+
     /// Draws the square over a background of 1, and returns the rows of the picture.
     pub(in crate::shade) fn drawn<Sh: Shader<Color = Gray8>>(
         shader: &Sh,
         is_wide: bool,
     ) -> Result<Vec<[u8; SIDE]>, ProjectError> {
         let mesh = mesh(if is_wide { WIDE } else { NARROW });
-        let picture = Rectangle::new(Point::zero(), Size::new_equal(SIDE as u32));
+        let picture = screen();
         let lens =
             Orthographic::new(Distance::lit("2"), Distance::lit("1"), Distance::lit("9")).unwrap();
         let camera = Camera::at(Vec3::lit("0", "0", "3"), Rotation::IDENTITY, lens, picture);

@@ -3,8 +3,9 @@
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
-    Face, Light, OnScreen, Sample, Shader,
+    Face, Light, Lighting, OnScreen, Sample, Shader,
     flat::scaled_color,
+    lit::face_level,
     skin::{
         ColorOf, Covered, FaceOf, LightOf, Skin, Slot, TexelOf, TexelsOf, Varying,
         VertexCoordinates, bare,
@@ -12,7 +13,7 @@ use super::{
 };
 use crate::{
     attribute::{Adaptive, Correction},
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
     texture::{Filter, LitTexels, Nearest, TexelMap},
@@ -27,22 +28,22 @@ use crate::{
 /// [`face_normals`](crate::mesh::Tables::face_normals). A material without a texture is drawn like
 /// [`Flat`](super::Flat).
 #[derive(Clone, Copy, Debug)]
-pub struct TexturedFlat<'a, S, F = Nearest, M = Adaptive, C = i16> {
+pub struct TexturedFlat<'a, S, F = Nearest, M = Adaptive, C = i16, L = Light> {
     skin: Skin<'a, S, F, M, C>,
-    light: Light,
+    light: L,
 }
 
-impl<'a, S> TexturedFlat<'a, S> {
+impl<'a, S, L: Copy> TexturedFlat<'a, S, Nearest, Adaptive, i16, L> {
     /// With the textures of a mesh by its materials, lit by `light`: nearest texels, corrected
     /// within half a texel, coordinates of 16 bits.
     #[must_use]
-    pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
+    pub const fn new<const N: usize>(textures: &'a [S; N], light: L) -> Self {
         Self { skin: Skin::new(textures), light }
     }
 
     /// The same with textures whose number is known at run time; `None` without any.
     #[must_use]
-    pub const fn from_slice(textures: &'a [S], light: Light) -> Option<Self> {
+    pub const fn from_slice(textures: &'a [S], light: L) -> Option<Self> {
         match Skin::from_slice(textures) {
             Some(skin) => Some(Self { skin, light }),
             None => None,
@@ -50,37 +51,38 @@ impl<'a, S> TexturedFlat<'a, S> {
     }
 }
 
-impl<'a, S, F, M, C> TexturedFlat<'a, S, F, M, C> {
+impl<'a, S, F, M, C, L: Copy> TexturedFlat<'a, S, F, M, C, L> {
     /// Filtered in another way, such as [`Bilinear`](crate::texture::Bilinear).
     #[must_use]
-    pub const fn filtered<G: Copy>(self, _: G) -> TexturedFlat<'a, S, G, M, C> {
+    pub const fn filtered<G: Copy>(self, _: G) -> TexturedFlat<'a, S, G, M, C, L> {
         self.chosen()
     }
 
     /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
     #[must_use]
-    pub const fn corrected<N: Correction>(self, _: N) -> TexturedFlat<'a, S, F, N, C> {
+    pub const fn corrected<N: Correction>(self, _: N) -> TexturedFlat<'a, S, F, N, C, L> {
         self.chosen()
     }
 
     /// For meshes whose texture coordinates have any format, with 32 bits a vertex each.
     #[must_use]
-    pub const fn with_wide_coordinates(self) -> TexturedFlat<'a, S, F, M, i32> {
+    pub const fn with_wide_coordinates(self) -> TexturedFlat<'a, S, F, M, i32, L> {
         self.chosen()
     }
 
-    const fn chosen<G, N, D>(self) -> TexturedFlat<'a, S, G, N, D> {
+    const fn chosen<G, N, D>(self) -> TexturedFlat<'a, S, G, N, D, L> {
         TexturedFlat { skin: self.skin.chosen(), light: self.light }
     }
 }
 
-impl<S, F, M, C> Shader for TexturedFlat<'_, S, F, M, C>
+impl<S, F, M, C, L> Shader for TexturedFlat<'_, S, F, M, C, L>
 where
     S: Slot<Texture: TexelMap<Texels: LitTexels>>,
     ColorOf<S>: From<Rgb888>,
     F: Filter<S::Texture>,
     M: Correction,
     C: VertexCoordinates,
+    L: Lighting,
 {
     type Color = ColorOf<S>;
     type Varyings = Varying<S, F, M, C>;
@@ -90,8 +92,8 @@ where
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..C::TABLES };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self { light: self.light.for_object(pose), ..*self }
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { light: self.light.for_view(view), ..*self }
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {
@@ -110,7 +112,7 @@ where
         face: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
     ) -> Face<ColorOf<S>, Self::Face> {
-        let level = self.light.level(face.normal());
+        let level = face_level(&self.light, face);
         surface.slot.texture_or(
             |texture| {
                 let filtered = Skin::<S, F, M, C>::face(texture, gradients, |corner| corner);

@@ -5,12 +5,13 @@ use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
-    Face, Light, OnScreen, Sample, Shader,
+    Face, Light, Lighting, OnScreen, Sample, Shader,
+    lit::vertex_level,
     skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates},
 };
 use crate::{
     attribute::{Adaptive, Affine, Correction, PerspectiveCorrect},
-    geometry::Pose,
+    geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
     texture::{Filter, LitTexels, Nearest, Texel as _, TexelMap},
@@ -21,27 +22,28 @@ use crate::{
 /// [`Mix::lit`](crate::texture::Mix::lit) or the rows of [`Shaded`](crate::texture::Shaded).
 ///
 /// The first types are those of [`Textured`](super::Textured); `L` is how the level of light is
-/// corrected. Needs [`texture_coordinates`](crate::mesh::Tables::texture_coordinates) and
+/// corrected, and `G` the kind of light. Needs
+/// [`texture_coordinates`](crate::mesh::Tables::texture_coordinates) and
 /// [`vertex_normals`](crate::mesh::Tables::vertex_normals). A material without a texture has its
 /// colour in this light.
 #[derive(Clone, Copy, Debug)]
-pub struct TexturedGouraud<'a, S, F = Nearest, M = Adaptive, C = i16, L = Affine> {
+pub struct TexturedGouraud<'a, S, F = Nearest, M = Adaptive, C = i16, L = Affine, G = Light> {
     skin: Skin<'a, S, F, M, C>,
-    light: Light,
+    light: G,
     level: PhantomData<L>,
 }
 
-impl<'a, S> TexturedGouraud<'a, S> {
+impl<'a, S, G: Copy> TexturedGouraud<'a, S, Nearest, Adaptive, i16, Affine, G> {
     /// With the textures of a mesh by its materials, lit by `light`: nearest texels, corrected
     /// within half a texel, coordinates of 16 bits.
     #[must_use]
-    pub const fn new<const N: usize>(textures: &'a [S; N], light: Light) -> Self {
+    pub const fn new<const N: usize>(textures: &'a [S; N], light: G) -> Self {
         Self { skin: Skin::new(textures), light, level: PhantomData }
     }
 
     /// The same with textures whose number is known at run time; `None` without any.
     #[must_use]
-    pub const fn from_slice(textures: &'a [S], light: Light) -> Option<Self> {
+    pub const fn from_slice(textures: &'a [S], light: G) -> Option<Self> {
         match Skin::from_slice(textures) {
             Some(skin) => Some(Self { skin, light, level: PhantomData }),
             None => None,
@@ -49,37 +51,37 @@ impl<'a, S> TexturedGouraud<'a, S> {
     }
 }
 
-impl<'a, S, F, M, C, L> TexturedGouraud<'a, S, F, M, C, L> {
+impl<'a, S, F, M, C, L, G: Copy> TexturedGouraud<'a, S, F, M, C, L, G> {
     /// Filtered in another way, such as [`Bilinear`](crate::texture::Bilinear).
     #[must_use]
-    pub const fn filtered<G: Copy>(self, _: G) -> TexturedGouraud<'a, S, G, M, C, L> {
+    pub const fn filtered<N: Copy>(self, _: N) -> TexturedGouraud<'a, S, N, M, C, L, G> {
         self.chosen()
     }
 
     /// Corrected in another way, such as [`EveryPixel`](crate::attribute::EveryPixel).
     #[must_use]
-    pub const fn corrected<N: Correction>(self, _: N) -> TexturedGouraud<'a, S, F, N, C, L> {
+    pub const fn corrected<N: Correction>(self, _: N) -> TexturedGouraud<'a, S, F, N, C, L, G> {
         self.chosen()
     }
 
     /// For meshes whose texture coordinates have any format, with 32 bits a vertex each.
     #[must_use]
-    pub const fn with_wide_coordinates(self) -> TexturedGouraud<'a, S, F, M, i32, L> {
+    pub const fn with_wide_coordinates(self) -> TexturedGouraud<'a, S, F, M, i32, L, G> {
         self.chosen()
     }
 
     /// With the level of light corrected in another way than by straight lines on the screen.
     #[must_use]
-    pub const fn with_level<K: Correction>(self, _: K) -> TexturedGouraud<'a, S, F, M, C, K> {
+    pub const fn with_level<K: Correction>(self, _: K) -> TexturedGouraud<'a, S, F, M, C, K, G> {
         self.chosen()
     }
 
-    const fn chosen<G, N, D, K>(self) -> TexturedGouraud<'a, S, G, N, D, K> {
+    const fn chosen<E, N, D, K>(self) -> TexturedGouraud<'a, S, E, N, D, K, G> {
         TexturedGouraud { skin: self.skin.chosen(), light: self.light, level: PhantomData }
     }
 }
 
-impl<S, F, M, C, L> Shader for TexturedGouraud<'_, S, F, M, C, L>
+impl<S, F, M, C, L, G> Shader for TexturedGouraud<'_, S, F, M, C, L, G>
 where
     S: Slot<Texture: TexelMap<Texels: LitTexels>>,
     ColorOf<S>: From<Rgb888>,
@@ -87,6 +89,7 @@ where
     M: Correction,
     C: VertexCoordinates,
     L: Correction,
+    G: Lighting,
 {
     type Color = ColorOf<S>;
     /// The coordinates, and the level of light.
@@ -97,8 +100,8 @@ where
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..C::TABLES };
 
-    fn for_object(&self, pose: &Pose) -> Self {
-        Self { light: self.light.for_object(pose), ..*self }
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { light: self.light.for_view(view), ..*self }
     }
 
     fn surface(&self, material: &MeshMaterial<'_>) -> Self::Surface {
@@ -107,7 +110,7 @@ where
 
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings {
-        let level = self.light.level(vertex.normal());
+        let level = vertex_level(&self.light, vertex);
         let level = PerspectiveCorrect::new(TexelsOf::<S>::varying(level));
         (Skin::<S, F, M, C>::vertex(vertex), level)
     }

@@ -4,7 +4,7 @@ use super::{
     ColorOf, Footprint, Grid, MipLevel, Mipmapped, Mix, Texel as _, TexelMap, TexelOf,
     TextureVarying, WithInverseW, footprint::Slope,
 };
-use crate::attribute::InverseW;
+use crate::{attribute::InverseW, color::Alpha};
 
 /// How the colour of a pixel is made of texels: [`Nearest`], [`Bilinear`], and with mip levels
 /// [`NearestMip`], [`BilinearMip`] and [`Trilinear`].
@@ -56,6 +56,8 @@ impl<T: TexelMap> Filter<T> for Nearest {
 /// Weights sum to one exactly. They have 5 bits for colours of 15 and 16 bits, whose fractions are
 /// rounded to 1/16 texel, and 16 bits, with fractions of 1/256 texel, for others. Of transparent
 /// texels, the nearest of the four decides whether the pixel is; colours are mixed of opaque ones.
+/// An alpha ([`Layer`](super::Layer)) is mixed like the colours, apart from them, by weights of
+/// twice the digits of the fractions.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Bilinear;
 
@@ -89,9 +91,12 @@ where
     let [right, down] = quad.fractions;
     let half = ColorOf::<T>::FRACTION_BITS - 1;
     let nearest = (right >> half | (down >> half) << 1) as usize;
-    TexelOf::<T>::combined(quad.texels.map(fetch), nearest, |colors| {
-        ColorOf::<T>::mixed(colors, quad.fractions)
-    })
+    TexelOf::<T>::combined(
+        quad.texels.map(fetch),
+        nearest,
+        |colors| ColorOf::<T>::mixed(colors, quad.fractions),
+        |alphas| Alpha::mixed(alphas, quad.fractions, half + 1),
+    )
 }
 
 /// Where a mip level is chosen: [`PerTriangle`] or [`PerPixel`].
@@ -243,9 +248,12 @@ where
         }
         let smaller = mixed::<T>(map.bilinear_in(place, bits, level + 1), &fetch);
         let nearer = (way >> (bits - 1)) as usize;
-        TexelOf::<T>::combined([larger, smaller], nearer, |[larger, smaller]| {
-            ColorOf::<T>::mixed([larger, smaller, larger, smaller], [way, 0])
-        })
+        TexelOf::<T>::combined(
+            [larger, smaller],
+            nearer,
+            |[larger, smaller]| ColorOf::<T>::mixed([larger, smaller, larger, smaller], [way, 0]),
+            |[larger, smaller]| Alpha::mixed([larger, smaller, larger, smaller], [way, 0], bits),
+        )
     }
 }
 

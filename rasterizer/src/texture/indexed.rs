@@ -35,6 +35,12 @@ impl<const BITS: usize> Packing<BITS> {
         let part = index & ((1 << Self::PART_BITS) - 1);
         (byte >> (part * BITS)) & (u8::MAX >> (8 - BITS))
     }
+
+    /// A part as a number of eight bits, of which 255 is the largest part.
+    #[inline(always)]
+    pub(super) const fn widened(part: u8) -> u8 {
+        part * (u8::MAX / (u8::MAX >> (8 - BITS)))
+    }
 }
 
 /// Texels of `BITS` bits, 8, 4, 2 or 1, that are places in a palette of `COLORS` =

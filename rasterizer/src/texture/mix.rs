@@ -5,7 +5,9 @@ use embedded_graphics_core::pixelcolor::{
     Rgb555, Rgb565, Rgb666, Rgb888, RgbColor as _, raw::RawU16,
 };
 
-/// A colour of which textures can be filtered and lit: all of embedded-graphics and
+use crate::color::Rgb332;
+
+/// A colour of which textures can be filtered and lit: all of embedded-graphics, [`Rgb332`] and
 /// [`Rgb565Be`](crate::output::Rgb565Be).
 ///
 /// Colours of 15 and 16 bits are mixed in one word, between whose channels there is room for five
@@ -83,7 +85,7 @@ macro_rules! by_channels {
     };
 }
 
-by_channels!(Rgb666, Rgb888, Bgr666, Bgr888);
+by_channels!(Rgb332, Rgb666, Rgb888, Bgr666, Bgr888);
 
 macro_rules! by_luma {
     ($($color:ident),*) => {
@@ -275,6 +277,7 @@ mod tests {
             check(Rgb888::new(value, 255 - value, value / 3));
             check(Bgr888::new(value, 255 - value, value / 3));
             check(Rgb666::new(value, 255 - value, value / 3));
+            check(Rgb332::new(value >> 5, value >> 2, value));
         }
         check(BinaryColor::On);
         check(BinaryColor::Off);

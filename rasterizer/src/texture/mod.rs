@@ -7,7 +7,7 @@
 //!     |    MipLevel: of which level, by Footprint
 //!   numbers of texels
 //!     |  Texels: how they are stored
-//!   Texel     a colour, or None where it is transparent
+//!   Texel     a colour, None where it is transparent, or a Layer with its alpha
 //!     |  Mix: weighted means, light
 //!   colour
 //! ```
@@ -24,6 +24,8 @@
 //! | [`Shaded`] | 8, 4, 2, 1 | places in 32 palettes from dark to bright: the least work for lit texels |
 //! | [`Keyed`] | no more | one stored value is transparent |
 //! | [`Masked`] | 1, 4 or 8 more | an alpha plane; texels below half are transparent |
+//! | [`Translucent`] | 4 or 8 more | an alpha plane for [blending](crate::output::Over) |
+//! | [`TranslucentPalette`] | no more | an alpha for each colour of a palette |
 //!
 //! # Coordinates
 //!
@@ -32,6 +34,8 @@
 //! centre, where a bilinear sample is its colour alone, is at ((i + 1/2) / W, (j + 1/2) / H). So
 //! half-way between two centres, on the border of both texels, [`Nearest`] takes the right or lower
 //! one and [`Bilinear`] the mean.
+//!
+//! [`Offset`] moves a texture by an offset that is known at run time.
 //!
 //! # Colours
 //!
@@ -46,13 +50,16 @@ mod footprint;
 mod grid;
 mod image;
 mod indexed;
+mod layer;
 mod masked;
 mod mipmaps;
 mod mix;
+mod offset;
 mod shaded;
 mod slices;
 mod texel;
 mod texels;
+mod translucent;
 mod varying;
 mod wrap;
 
@@ -67,12 +74,15 @@ pub use footprint::{Footprint, MipLevel, Slope};
 pub use grid::{Grid, Quad};
 pub use image::{ColorOf, TexelMap, TexelOf, Texture};
 pub use indexed::Indexed;
+pub use layer::Layer;
 pub use masked::{Keyed, Masked};
 pub use mipmaps::{Levels, Mipmapped, Mipmaps};
 pub use mix::Mix;
+pub use offset::Offset;
 pub use shaded::{SHADES, Shaded};
 pub use slices::{ColorSlice, IndexedSlice, MaskedSlice, ShadedSlice};
 pub use texel::{Outcome, Texel};
 pub use texels::{Counts, LitTexels, StoredTexels, Table, Texels};
+pub use translucent::{Translucent, TranslucentPalette};
 pub use varying::{TextureVarying, WithInverseW};
 pub use wrap::{Clamp, MAX_SIDE, Mirror, Pair, Repeat, Side, Wrap};

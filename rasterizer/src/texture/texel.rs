@@ -1,13 +1,27 @@
 //! A colour, or none: of a texel, and of a pixel.
 
-/// A colour, or an `Option` of one: `None` discards the pixel, which keeps its colour and its
-/// depth.
-pub trait Outcome<C> {
+use crate::color::Alpha;
+
+/// What a shader makes of a pixel: a colour, an `Option` of one, or a [`Layer`](super::Layer).
+/// `None` discards the pixel, which keeps its colour and its depth.
+pub trait Outcome<C>: Sized {
     /// Whether a pixel can be discarded.
     const DISCARDS: bool;
 
+    /// Whether a pixel that is not discarded stores its depth.
+    const WRITES_DEPTH: bool = true;
+
+    /// Whether [`layer`](Self::layer) may be anything but opaque.
+    const HAS_ALPHA: bool = false;
+
     /// Returns the colour, or `None` to discard the pixel.
     fn color(self) -> Option<C>;
+
+    /// Returns the colour with its alpha, for blending; or `None` to discard the pixel.
+    #[inline(always)]
+    fn layer(self) -> Option<(C, Alpha)> {
+        self.color().map(|color| (color, Alpha::OPAQUE))
+    }
 }
 
 impl<C> Outcome<C> for C {
@@ -28,7 +42,7 @@ impl<C> Outcome<C> for Option<C> {
     }
 }
 
-/// A colour, or an `Option` of one: `None` is transparent.
+/// A colour, an `Option` of one, or a [`Layer`](super::Layer): `None` is transparent.
 pub trait Texel<C>: Outcome<C> + Copy {
     /// Returns a texel of this colour.
     fn opaque(color: C) -> Self;
@@ -39,11 +53,13 @@ pub trait Texel<C>: Outcome<C> + Copy {
     fn recolored(self, change: impl FnOnce(C) -> C) -> Self;
 
     /// Mixes texels by a function of their colours. The texel with the number `nearest`, below `N`,
-    /// decides whether the result is transparent, and gives its colour to those that are.
+    /// decides whether the result is transparent, and gives its colour to those that are. Where
+    /// texels have an alpha, `mix_alpha` mixes it in place of that decision.
     fn combined<const N: usize>(
         texels: [Self; N],
         nearest: usize,
         mix: impl FnOnce([C; N]) -> C,
+        mix_alpha: impl FnOnce([Alpha; N]) -> Alpha,
     ) -> Self;
 }
 
@@ -63,6 +79,7 @@ impl<C: Copy> Texel<C> for C {
         texels: [Self; N],
         _: usize,
         mix: impl FnOnce([C; N]) -> C,
+        _: impl FnOnce([Alpha; N]) -> Alpha,
     ) -> Self {
         mix(texels)
     }
@@ -84,6 +101,7 @@ impl<C: Copy> Texel<C> for Option<C> {
         texels: [Self; N],
         nearest: usize,
         mix: impl FnOnce([C; N]) -> C,
+        _: impl FnOnce([Alpha; N]) -> Alpha,
     ) -> Self {
         let nearest = texels.get(nearest).copied().flatten()?;
         Some(mix(texels.map(|texel| texel.unwrap_or(nearest))))
@@ -97,11 +115,12 @@ mod tests {
     #[test]
     fn the_nearest_texel_decides_on_transparency() {
         let sum = |colors: [u32; 4]| colors.iter().sum();
+        let none = |_| unreachable!();
         let texels = [Some(1), None, Some(100), None];
-        assert_eq!(Texel::combined(texels, 0, sum), Some(1 + 1 + 100 + 1));
-        assert_eq!(Texel::combined(texels, 1, sum), None);
-        assert_eq!(Texel::combined(texels, 2, sum), Some(1 + 100 + 100 + 100));
-        assert_eq!(Texel::combined([1, 2, 3, 4], 1, sum), 10);
+        assert_eq!(Texel::combined(texels, 0, sum, none), Some(1 + 1 + 100 + 1));
+        assert_eq!(Texel::combined(texels, 1, sum, none), None);
+        assert_eq!(Texel::combined(texels, 2, sum, none), Some(1 + 100 + 100 + 100));
+        assert_eq!(Texel::combined([1, 2, 3, 4], 1, sum, none), 10);
     }
 
     #[test]

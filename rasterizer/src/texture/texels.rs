@@ -5,11 +5,12 @@ use super::{Mix, Texel};
 /// The texels of a texture, numbered along its rows from the top left.
 ///
 /// [`Colors`](super::Colors), [`Indexed`](super::Indexed), [`Keyed`](super::Keyed),
-/// [`Masked`](super::Masked) and [`Shaded`](super::Shaded) are such.
+/// [`Masked`](super::Masked), [`Translucent`](super::Translucent) and [`Shaded`](super::Shaded) are
+/// such.
 pub trait Texels: Copy {
     /// The colour type of the target.
     type Color: Copy;
-    /// A colour, or an `Option` of one.
+    /// A colour, an `Option` of one, or a [`Layer`](super::Layer).
     type Texel: Texel<Self::Color>;
 
     /// Returns how many texels it can stand for.
@@ -270,7 +271,58 @@ macro_rules! transparent {
     };
 }
 
-pub(super) use {lit_after_filtering, lit_by_palettes, places_in_a_palette, transparent};
+/// [`Texels`] and [`LitTexels`] for texels of which each has an `alpha`.
+macro_rules! translucent {
+    ([$($parameters:tt)*] $texels:ty, $counts:expr) => {
+        impl<F: Texels<Texel = <F as Texels>::Color> + $($parameters)*> Texels for $texels {
+            type Color = F::Color;
+            type Texel = Layer<F::Color>;
+
+            fn counts(&self) -> Counts {
+                let counts: fn(&Self) -> Counts = $counts;
+                counts(self)
+            }
+
+            #[inline(always)]
+            fn texel(&self, index: usize) -> Layer<F::Color> {
+                Layer::new(self.texels.texel(index), self.alpha(index))
+            }
+        }
+
+        impl<F: LitTexels<Texel = <F as Texels>::Color> + $($parameters)*> LitTexels for $texels {
+            type Light = F::Light;
+
+            #[inline(always)]
+            fn varying(level: u32) -> u16 {
+                F::varying(level)
+            }
+
+            #[inline(always)]
+            fn light(varying: u32) -> F::Light {
+                F::light(varying)
+            }
+
+            #[inline(always)]
+            fn before_light(&self, index: usize, light: F::Light) -> Layer<F::Color> {
+                Layer::new(self.texels.before_light(index, light), self.alpha(index))
+            }
+
+            #[inline(always)]
+            fn after_light(color: F::Color, light: F::Light) -> F::Color {
+                F::after_light(color, light)
+            }
+
+            #[inline(always)]
+            fn plain(color: F::Color, light: F::Light) -> F::Color {
+                F::plain(color, light)
+            }
+        }
+    };
+}
+
+pub(super) use {
+    lit_after_filtering, lit_by_palettes, places_in_a_palette, translucent, transparent,
+};
 
 #[cfg(test)]
 mod tests {

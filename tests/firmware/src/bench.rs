@@ -1,6 +1,7 @@
 //! The bench scenes: models of 12 to 5,856 triangles on 320 x 240 pixels, each turned in eight
 //! frames.
 
+pub mod shades;
 pub mod textures;
 
 use embedded_graphics_core::{
@@ -53,6 +54,14 @@ impl Mode {
 
 const MODES: [Mode; 2] =
     [Mode { name: "whole", rows: SIZE.height }, Mode { name: "bands of 16", rows: BAND_ROWS }];
+
+/// The precision that suits the core: S4 where there is no long multiply, S8 elsewhere.
+#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
+type Suited = S4;
+#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
+type Suited = S8;
+
+const SUITED: &str = if Suited::BITS == 4 { "S4" } else { "S8" };
 
 static MEMORY: Shared<PIXELS> = Memory::shared();
 
@@ -199,7 +208,7 @@ impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
     }
 
     /// Adds frames by `add`, and prints a line.
-    fn measure<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>>(
+    fn measure<S: Subpixel, D: Depth, Sh: Shader>(
         &mut self,
         [scene, precision, mode]: [&str; 3],
         object: &Object<'_, Sh>,

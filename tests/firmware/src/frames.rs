@@ -1,5 +1,7 @@
 //! Frames and their hashes.
 
+mod colors;
+
 use core::convert::Infallible;
 
 use embedded_graphics_core::{
@@ -12,15 +14,26 @@ use embedded_graphics_core::{
 use rasterizer::{
     attribute::{EveryPixel, FloatDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
+    fixed::types::I8F24,
     geometry::{CullNone, Pose, Projection, ScreenVertex},
+    mesh::Mesh,
     numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     output::{Bands, Frame, Replace, Rgb565Be, StoredDepth},
     scene::{Mode, Object, bin_words},
-    shade::{Flat, Gouraud, Light, OnScreen, Shader, Textured, TexturedFlat, TexturedGouraud},
-    texture::{Bilinear, PerPixel, Trilinear},
+    shade::{
+        AtVertices, Colored, ColoredGouraud, Density, Flat, Fog, Fogged, GlossyGouraud, Gouraud,
+        Level, Light, Matcap, OnScreen, Phong, Shader, Textured, TexturedFlat, TexturedGouraud,
+    },
+    texture::{Bilinear, Offset, PerPixel, Trilinear},
 };
 
-use crate::{bench::sun, console, cost::fail, memory::Memory, models};
+use crate::{
+    bench::{shades::LAMP, sun},
+    console,
+    cost::fail,
+    memory::Memory,
+    models, shiny,
+};
 
 /// Width and height of the frames: 160 KB of colour and depth.
 pub const SIDE: u32 = 200;
@@ -71,6 +84,37 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     flat(memory, light);
     floating_depth(&knot, memory);
     textured(memory, light);
+    lit(memory, light);
+    colors::dithered(memory, light);
+    fog(memory, light);
+}
+
+/// Several lights, a lamp, and highlights at vertices and pixels: each in one precision.
+fn lit(memory: &mut Memory<PIXELS>, light: Light) {
+    let fill = Light::new(Vec3::lit("2", "-1", "1"), Level::ZERO, Level::lit("0.4"));
+    let all = ([light, fill], LAMP);
+    lit_with::<S4, _>("gouraud lamp S4", Gouraud::new(all), memory);
+    lit_with::<S8, _>("glossy gouraud S8", GlossyGouraud::new(light), memory);
+    lit_with::<S4, _>("phong S4", Phong::new(light), memory);
+    lit_with::<S8, _>("phong lamp S8", Phong::new(all), memory);
+    lit_with::<S4, _>("phong near S4", Phong::new(light).with_near_viewer(), memory);
+}
+
+/// Filling the picture, with the surface through the near plane, and from inside.
+fn lit_with<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+    name: &str,
+    shader: Sh,
+    memory: &mut Memory<PIXELS>,
+) {
+    let pose = Pose::rotated(Rotation::about_x(Turn::degrees(25)));
+    let sphere = Object::new(&shiny::SPHERE, shader).posed(pose).culled(CullNone);
+    for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let [hash, _] =
+            draw::<_, S, u16, _, _, { models::SPHERE.vertex_count() }>(&sphere, &camera, memory);
+        console::line(format_args!("sphere {view} {name} {hash:08x}"));
+    }
 }
 
 /// The textured cube: stored, filtered, corrected and lit in several ways, each in one precision.
@@ -85,6 +129,55 @@ fn textured(memory: &mut Memory<PIXELS>, light: Light) {
     textured_with::<S4, _>("trilinear S4", trilinear, memory);
     textured_with::<S4, _>("flat S4", TexturedFlat::new(&DIRECT, light), memory);
     textured_with::<S8, _>("gouraud S8", TexturedGouraud::new(&DIRECT, light), memory);
+}
+
+/// Fog over light and over textures, colours of vertices, a matcap, and a texture that is moved.
+fn fog(memory: &mut Memory<PIXELS>, light: Light) {
+    use models::{COLORED_SPHERE, CUBE_TEXTURE, CUBE_TEXTURE_TEXTURES as SIDES};
+    let gouraud = Fogged::new(Gouraud::new(light), &MIST, FOG);
+    shaded_with::<S4, _>("torus_knot", &models::TORUS_KNOT, "fog S4", gouraud, memory);
+    let by_vertex = gouraud.computed(AtVertices);
+    shaded_with::<S8, _>("torus_knot", &models::TORUS_KNOT, "fog by vertex S8", by_vertex, memory);
+    let textured = Fogged::new(Textured::new(&SIDES), &HAZE, FOG);
+    shaded_with::<S8, _>("cube", &CUBE_TEXTURE, "texture in fog S8", textured, memory);
+    let textured = textured.computed(AtVertices);
+    shaded_with::<S4, _>("cube", &CUBE_TEXTURE, "texture in fog by vertex S4", textured, memory);
+    shaded_with::<S4, _>("cube", &models::CUBE, "flat in fog S4", flat_in_fog(light), memory);
+    shaded_with::<S4, _>("sphere", &COLORED_SPHERE, "vertex colors S4", Colored::new(), memory);
+    let lit = ColoredGouraud::new(light).corrected(EveryPixel);
+    shaded_with::<S8, _>("sphere", &COLORED_SPHERE, "vertex colors lit S8", lit, memory);
+    let matcap = Matcap::new(&SIDES).filtered(Bilinear);
+    shaded_with::<S4, _>("sphere", &models::SPHERE, "matcap S4", matcap, memory);
+    let [side] = SIDES;
+    let moved = [Offset::new(side, [I8F24::lit("0.3"), I8F24::lit("-0.7")])];
+    shaded_with::<S4, _>("cube", &CUBE_TEXTURE, "texture moved S4", Textured::new(&moved), memory);
+}
+
+const fn flat_in_fog(light: Light) -> Fogged<'static, Flat<Rgb565Be>> {
+    Fogged::new(Flat::new(light), &MIST, FOG)
+}
+
+static MIST: Fog = Fog::linear(Distance::lit("0.3"), Distance::lit("4")).unwrap();
+static HAZE: Fog = Fog::exponential(Density::lit("0.35"));
+const FOG: Rgb565Be = Rgb565Be::new(20, 44, 26);
+
+/// The same four views of any model.
+fn shaded_with<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+    model: &str,
+    mesh: &Mesh<'_>,
+    name: &str,
+    shader: Sh,
+    memory: &mut Memory<PIXELS>,
+) {
+    let pose =
+        Pose::rotated(Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(Turn::degrees(35)));
+    let object = Object::new(mesh, shader).posed(pose).culled(CullNone);
+    for (view, distance) in [("far", "5"), ("near", "3"), ("cut", "0.7"), ("inside", "0.05")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let [hash, _] = draw::<_, S, u16, _, _, VERTICES>(&object, &camera, memory);
+        console::line(format_args!("{model} {view} {name} {hash:08x}"));
+    }
 }
 
 /// Far away, filling the picture, with a side through the near plane, and from inside.

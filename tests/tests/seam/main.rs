@@ -34,6 +34,7 @@ mod blending;
 mod discarding;
 mod faces;
 mod line;
+mod modes;
 mod pieces;
 mod place;
 mod varyings;

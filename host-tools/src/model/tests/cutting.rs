@@ -3,7 +3,7 @@
 use std::collections::{HashMap, HashSet};
 
 use super::super::{
-    polygons::{Corner, Face, Polygons},
+    polygons::{Corner, Face, NO_COLOR, Polygons},
     smoothing::Smoothing,
     triangulate::{Triangle, triangulate},
     vector::{Vector, add, cross, dot, length, normalized, scaled, sub},
@@ -19,7 +19,12 @@ fn polygon(ring: &[Vector]) -> Polygons {
             polygons.positions.push(point);
             polygons.positions.len() - 1
         }) as u32;
-        polygons.corners.push(Corner { position, normal: [0.0; 3], texture: [0.0; 2] });
+        polygons.corners.push(Corner {
+            position,
+            normal: [0.0; 3],
+            texture: [0.0; 2],
+            color: NO_COLOR,
+        });
     }
     polygons.faces.push(Face { arity: ring.len(), material: 0, smoothing: Smoothing::Unstated });
     polygons.colors.push([0; 3]);

@@ -74,7 +74,7 @@ fn numbers_that_a_c_library_prints_for_nan_are_errors() {
 fn numbers_that_are_not_finite_matter_only_where_they_are_used() {
     let text = format!("{CORNERS}v 0 nan 0\nvt inf 0\nvn 0 0 1.#QNAN\nf 1/1/1 2/1/1 3/1/1\n");
     let with = |normals, texture_coordinates| Options {
-        contents: Contents { vertex_normals: normals, face_normals: true, texture_coordinates },
+        contents: Contents { vertex_normals: normals, texture_coordinates, ..Contents::default() },
         ..Options::default()
     };
     let model = load(&text, &with(false, false)).unwrap();
@@ -260,7 +260,7 @@ fn what_is_dropped_is_counted() {
                 V 1 1 1\nvertex 2\n";
     let model = load(text, &Options::default()).unwrap();
     for part in [
-        "m.obj:1: 3 vertices have colours",
+        "m.obj:3: 1 vertex has no colour, unlike others",
         "m.obj:6: 2 line elements",
         "m.obj:8: 1 statement of points",
         "m.obj:9: 2 curves and surfaces",

@@ -183,10 +183,7 @@ pub enum TextureWrap {
 }
 
 /// The name of a choice.
-pub(in super::super) fn name<T: PartialEq>(
-    names: &[(&'static str, T)],
-    choice: &T,
-) -> &'static str {
+pub(super) fn name<T: PartialEq>(names: &[(&'static str, T)], choice: &T) -> &'static str {
     names.iter().find(|(_, named)| named == choice).map_or("", |(name, _)| name)
 }
 

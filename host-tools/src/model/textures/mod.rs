@@ -13,15 +13,15 @@ use std::{
     path::{Path, PathBuf},
 };
 
-pub(super) use format::name;
 pub use format::{AlphaFormat, ColorFormat, TexelFormat, TextureOptions, TextureWrap};
 pub use picture::Picture;
 #[cfg(test)]
 pub(super) use picture::tests::encoded;
 pub use texture::Texture;
 
+use format::name;
 use resample::Light;
-use texture::{Format, HALF};
+use texture::{Format, HALF, Stored};
 
 use super::{Provenance, error::ModelError, quote::shown, report::thousands};
 
@@ -107,18 +107,18 @@ pub(super) fn load(
     }
     let wrap = wrap(obj, materials, warnings);
     let size = size(obj, pictures.iter().map(|(_, picture)| picture.size), wrap, options)?;
-    let levels: Vec<Vec<Light>> = (pictures.iter())
+    let (texels, means): (Vec<Vec<Stored>>, Vec<[u8; 3]>) = (pictures.iter())
         .map(|(_, picture)| {
             let light = Light::of(picture, size);
-            if options.mipmaps { light.levels() } else { vec![light] }
+            let mean = light.mean().map(|value| value.round() as u8);
+            let levels = if options.mipmaps { light.levels() } else { vec![light] };
+            (levels.iter().flat_map(Light::stored).collect(), mean)
         })
-        .collect();
-    let alpha = alpha(&levels, options.alpha);
-    let means: Vec<[u8; 3]> =
-        levels.iter().map(|levels| levels[0].mean().map(|value| value.round() as u8)).collect();
+        .unzip();
+    let alpha = alpha(&texels, options.alpha);
     let format = Format { texels: options.format, color: options.color, alpha };
-    let textures = (pictures.into_iter().zip(&levels))
-        .map(|((path, picture), levels)| Texture::new(path, picture, levels, format))
+    let textures = (pictures.into_iter().zip(&texels))
+        .map(|((path, picture), texels)| Texture::new(path, picture, texels, size, format))
         .collect();
     let means = by_material.iter().map(|place: &Option<usize>| Some(means[(*place)?])).collect();
     let textures = Textures {
@@ -165,7 +165,7 @@ fn size(
         let largest = originals.fold([1; 2], |[w, h], size| [w.max(size[0]), h.max(size[1])]);
         let mut size = largest.map(nearest_power_of_two);
         while size[0].max(size[1]) > MAX_AUTOMATIC {
-            size = size.map(|side| (side / 2).max(1));
+            size = halved(size);
         }
         return Ok(size);
     };
@@ -179,6 +179,11 @@ fn size(
     }
 }
 
+/// The size of the next mip level: half of each side, rounded down to no less than 1.
+fn halved(size: [usize; 2]) -> [usize; 2] {
+    size.map(|side| (side / 2).max(1))
+}
+
 /// The power of two that a side is nearest to as a factor: 91 becomes 128, and 90 becomes 64.
 const fn nearest_power_of_two(side: usize) -> usize {
     let above = side.next_power_of_two();
@@ -186,15 +191,14 @@ const fn nearest_power_of_two(side: usize) -> usize {
 }
 
 /// The common format of alpha: none unless a texel needs it.
-fn alpha(levels: &[Vec<Light>], choice: Option<AlphaFormat>) -> Option<AlphaFormat> {
+fn alpha(texels: &[Vec<Stored>], choice: Option<AlphaFormat>) -> Option<AlphaFormat> {
     let choice = choice.unwrap_or(AlphaFormat::Key);
     let least_opaque = match choice {
         // With two values, what is more opaque than transparent is opaque.
         AlphaFormat::Key | AlphaFormat::Bits1 => HALF,
         AlphaFormat::Bits4 | AlphaFormat::Bits8 => 255.0 - 1e-9,
     };
-    let texels = levels.iter().flatten().flat_map(Light::stored);
-    texels.map(|texel| texel[3]).any(|alpha| alpha < least_opaque).then_some(choice)
+    texels.iter().flatten().any(|texel| texel[3] < least_opaque).then_some(choice)
 }
 
 impl Textures {
@@ -209,7 +213,7 @@ impl Textures {
     pub fn levels(&self) -> Vec<[usize; 2]> {
         let mut levels = vec![self.size];
         while let Some(&level) = levels.last().filter(|&&level| self.mipmaps && level != [1, 1]) {
-            levels.push(level.map(|side| (side / 2).max(1)));
+            levels.push(halved(level));
         }
         levels
     }
@@ -307,7 +311,7 @@ mod tests {
     #[test]
     fn alpha_is_kept_only_where_there_is_some() {
         let picture = |alpha: u16| Picture { size: [1, 1], pixels: vec![[9, 9, 9, alpha * 257]] };
-        let of = |value, choice| alpha(&[vec![Light::of(&picture(value), [1, 1])]], choice);
+        let of = |value, choice| alpha(&[Light::of(&picture(value), [1, 1]).stored()], choice);
         assert_eq!(of(255, Some(AlphaFormat::Bits8)), None);
         assert_eq!(of(254, Some(AlphaFormat::Bits8)), Some(AlphaFormat::Bits8));
         assert_eq!([of(128, None), of(127, None)], [None, Some(AlphaFormat::Key)]);

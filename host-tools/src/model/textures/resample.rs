@@ -3,7 +3,7 @@
 //! A texel of the result is the mean of what it covers of the picture, each pixel weighted by its
 //! area and alpha: a box filter, whose results of half the size are the means of 2 x 2 texels.
 
-use super::picture::Picture;
+use super::{halved, picture::Picture, texture::Stored};
 
 /// Linear light and alpha, from 0 to 1: red, green, blue, each times alpha, and alpha.
 type Linear = [f64; 4];
@@ -42,7 +42,7 @@ impl Light {
     pub(super) fn levels(self) -> Vec<Self> {
         let mut levels = vec![self];
         while let Some(level) = levels.last().filter(|level| level.size != [1, 1]) {
-            levels.push(level.resized(level.size.map(|side| (side / 2).max(1))));
+            levels.push(level.resized(halved(level.size)));
         }
         levels
     }
@@ -53,8 +53,8 @@ impl Light {
         [red, green, blue]
     }
 
-    /// Colours and alpha as they are stored (sRGB), in steps of 8 bits, 0 to 255.
-    pub(super) fn stored(&self) -> Vec<[f64; 4]> {
+    /// Colours and alpha as they are stored.
+    pub(super) fn stored(&self) -> Vec<Stored> {
         let stored = |&[red, green, blue, alpha]: &Linear| {
             let of = |c: f64| if alpha > 0.0 { encoded((c / alpha).min(1.0)) * 255.0 } else { 0.0 };
             [of(red), of(green), of(blue), alpha * 255.0]

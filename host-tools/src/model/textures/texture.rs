@@ -6,8 +6,10 @@ use super::{
     format::{AlphaFormat, ColorFormat, TexelFormat},
     palette,
     picture::Picture,
-    resample::Light,
 };
+
+/// A texel as it is stored (sRGB), in steps of 8 bits, 0 to 255: red, green, blue and alpha.
+pub(super) type Stored = [f64; 4];
 
 /// The format that all textures of a mesh have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,10 +43,16 @@ pub struct Texture {
 }
 
 impl Texture {
-    pub(super) fn new(path: &Path, original: Picture, levels: &[Light], format: Format) -> Self {
-        let texels: Vec<[f64; 4]> = levels.iter().flat_map(Light::stored).collect();
-        let rgb = |&[red, green, blue, _]: &[f64; 4]| [red, green, blue];
-        let is_opaque = |texel: &[f64; 4]| texel[3] >= HALF;
+    /// A texture whose largest level has `size`, from the texels of all levels.
+    pub(super) fn new(
+        path: &Path,
+        original: Picture,
+        texels: &[Stored],
+        [width, height]: [usize; 2],
+        format: Format,
+    ) -> Self {
+        let rgb = |&[red, green, blue, _]: &Stored| [red, green, blue];
+        let is_opaque = |texel: &Stored| texel[3] >= HALF;
         let has_key = format.alpha == Some(AlphaFormat::Key);
         let opaque: Vec<[f64; 3]> =
             texels.iter().filter(|texel| is_opaque(texel)).map(rgb).collect();
@@ -64,7 +72,7 @@ impl Texture {
             }
         };
         let key = has_key.then(|| if colors.is_empty() { format.color.key()[0] } else { 0 });
-        let value = |texel: &[f64; 4]| match (key, colors.is_empty()) {
+        let value = |texel: &Stored| match (key, colors.is_empty()) {
             (Some(key), _) if !is_opaque(texel) => key,
             (_, true) => {
                 let number = format.color.number(rgb(texel));
@@ -90,7 +98,7 @@ impl Texture {
             } else {
                 // Half and more has the upper bit, as rounding alone would not have it.
                 let upper = 1 << (alpha_bits - 1);
-                let alpha = |texel: &[f64; 4]| {
+                let alpha = |texel: &Stored| {
                     let value = (texel[3] / 255.0 * most).round() as u8;
                     if is_opaque(texel) { value.max(upper) } else { value.min(upper - 1) }
                 };
@@ -100,7 +108,6 @@ impl Texture {
             color: format.color,
             alpha_bits,
         };
-        let [width, height] = levels[0].size;
         texture.psnr_db = texture.psnr(&texels[..width * height]);
         texture
     }
@@ -152,7 +159,7 @@ impl Texture {
     }
 
     /// The ratio for the opaque ones of some texels, given what they stand for.
-    fn psnr(&self, exact: &[[f64; 4]]) -> f64 {
+    fn psnr(&self, exact: &[Stored]) -> f64 {
         let (mut sum, mut count) = (0.0, 0);
         for (texel, exact) in exact.iter().enumerate().filter(|(_, exact)| exact[3] >= HALF) {
             let stored = self.rgba(texel);
@@ -185,7 +192,7 @@ fn packed(values: impl Iterator<Item = u8>, bits: usize) -> Vec<u8> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{super::resample::Light, *};
 
     fn texture(pixels: &[[u16; 4]], texels: TexelFormat, alpha: Option<AlphaFormat>) -> Texture {
         colored(pixels, texels, ColorFormat::Rgb888, alpha)
@@ -200,8 +207,8 @@ mod tests {
         let size = [pixels.len(), 1];
         let pixels = pixels.iter().map(|pixel| pixel.map(|value| value * 257)).collect();
         let picture = Picture { size, pixels };
-        let levels = [Light::of(&picture, size)];
-        Texture::new(Path::new("a.png"), picture, &levels, Format { texels, color, alpha })
+        let stored = Light::of(&picture, size).stored();
+        Texture::new(Path::new("a.png"), picture, &stored, size, Format { texels, color, alpha })
     }
 
     fn rgba(texture: &Texture) -> Vec<[f64; 4]> {

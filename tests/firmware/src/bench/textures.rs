@@ -5,23 +5,14 @@ use rasterizer::{
     attribute::{Adaptive, Affine, Correction, Every, EveryPixel, NoDepth},
     camera::Camera,
     mesh::Mesh,
-    numbers::Subpixel,
     output::Rgb565Be,
     scene::Object,
     shade::{Shader, Textured, TexturedFlat, TexturedGouraud},
     texture::{Bilinear, PerPixel, PerTriangle, Shaded, Texture, Trilinear},
 };
 
-use super::{Bench, MEMORY, MODES, PIXELS, sun, view};
+use super::{Bench, MEMORY, MODES, PIXELS, SUITED, Suited, sun, view};
 use crate::{console, cost::Depth, counter, models};
-
-/// The precision that suits the core: S4 where there is no long multiply, S8 elsewhere.
-#[cfg(all(target_arch = "arm", not(target_has_atomic = "32")))]
-type Suited = rasterizer::numbers::S4;
-#[cfg(not(all(target_arch = "arm", not(target_has_atomic = "32"))))]
-type Suited = rasterizer::numbers::S8;
-
-const SUITED: &str = if Suited::BITS == 4 { "S4" } else { "S8" };
 
 /// The largest model's vertices: the cow has more of them along the seams of its texture.
 const VERTICES: usize = if cfg!(models) { 3300 } else { 24 };

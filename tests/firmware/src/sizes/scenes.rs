@@ -18,6 +18,9 @@ use rasterizer::{
     shade::{Flat, Gouraud, Level, Light, Unlit},
 };
 
+pub use super::color::{DitheredDirect, DitheredPacked};
+pub use super::fog::{FogPixels, FogVertices, Matcap, VertexColors};
+pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };

@@ -141,10 +141,16 @@ impl Row<'_> {
 impl Figures for Scenes {
     const FILE: &str = "speed.json";
     const TITLE: &str = "Speed";
-    /// Each bench program before the one that measures its set-up alone. The set-up of the last is
-    /// not measured alone: compiling its many scenes once more takes too long.
-    const PROGRAMS: &[&str] =
-        &["bench", "bench_set_up", "bench_frugal", "bench_frugal_set_up", "bench_textures"];
+    /// Each bench program before the one that measures its set-up alone. The set-up of the last two
+    /// is not measured alone: compiling their many scenes once more takes too long.
+    const PROGRAMS: &[&str] = &[
+        "bench",
+        "bench_set_up",
+        "bench_frugal",
+        "bench_frugal_set_up",
+        "bench_textures",
+        "bench_shades",
+    ];
 
     const LEGEND: &str = "\
 Instructions for a frame of 320 x 240 in `Rgb565Be`, the mean of eight: *clear* sets depth to the
@@ -168,8 +174,10 @@ Cortex-M4; the whole frame with depth about 21.5 and 16.5 a pixel.";
 
     fn parse(outputs: &[Output]) -> Result<Self> {
         let mut scenes = Vec::new();
-        for pair in outputs.chunks(2) {
-            scenes.extend(Scene::all(&pair[0], pair.get(1))?);
+        let mut programs = Self::PROGRAMS.iter().zip(outputs).peekable();
+        while let Some((_, frames)) = programs.next() {
+            let set_up = programs.next_if(|(name, _)| name.ends_with("_set_up"));
+            scenes.extend(Scene::all(frames, set_up.map(|(_, output)| output))?);
         }
         Ok(Self { scenes })
     }

@@ -1,0 +1,166 @@
+//! The triangles of an object from the farthest to the nearest.
+
+use core::{iter::Copied, ops::Range, slice};
+
+use super::{
+    Mode, Order, ProjectError, Projected, Vertices,
+    order::Sequence,
+    sort::{Distances, Packing, sort},
+};
+use crate::{
+    geometry::Projection,
+    mesh::{MeshMaterial, Tables},
+    raster::Window,
+    shade::{OnScreen, Shader},
+};
+
+/// The triangles of an object that are seen, from back to front: what
+/// [`Projected::back_to_front`] makes.
+#[derive(Clone, Copy, Debug)]
+pub struct BackToFront<'b> {
+    words: &'b [u32],
+    packing: Packing,
+}
+
+impl<'a, V, P, Sh, M> Projected<'a, V, P, Sh, M>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
+{
+    /// Sorts the triangles that are seen, of all materials, by the distance of their middles along
+    /// the camera's axis: the farthest is drawn first. Of equal distances, the first in the mesh
+    /// is.
+    ///
+    /// It takes a word of `storage` for each triangle of the mesh
+    /// ([`Needs::sort_words`](super::Needs::sort_words)), and is done once for all targets, such as
+    /// the bands of a frame.
+    ///
+    /// For an object that is [blended](crate::output::Over) with itself, and without a depth
+    /// buffer. A single key cannot order all triangles: of two that cross, each hides a part of the
+    /// other; three may hide each other in a circle; and a large triangle may have its middle
+    /// nearer than a small one that lies before it. Small triangles of one size, as curved surfaces
+    /// have, keep such faults to a few pixels. The parts of the mesh that must be right can be
+    /// objects that are drawn in their order.
+    ///
+    /// Where materials take turns, [`Shader::surface`] is called each time.
+    ///
+    /// # Errors
+    ///
+    /// If the storage is too small.
+    pub fn back_to_front<'b>(
+        self,
+        storage: &'b mut [u32],
+    ) -> Result<Projected<'a, V, P, Sh, M, BackToFront<'b>>, ProjectError> {
+        let seen = &self.seen;
+        let needed = seen.triangle_count();
+        let words = storage.get_mut(..needed).ok_or(ProjectError::SortStorage { needed })?;
+        let (mut count, mut last) = (0, usize::MAX);
+        let mut distances = Distances::NONE;
+        seen.for_each_touching(|number, _| {
+            // The parts of one that is clipped come one after the other.
+            if number != last {
+                last = number;
+                if let Some(word) = words.get_mut(count) {
+                    *word = number as u32;
+                    distances = distances.with(seen.distance(number));
+                    count += 1;
+                }
+            }
+        });
+        let words = words.get_mut(..count).unwrap_or_default();
+        let packing = Packing::new(distances, needed);
+        for word in &mut *words {
+            let number = *word as usize;
+            *word = packing.word(seen.distance(number), number);
+        }
+        sort(words);
+        Ok(Projected { seen: self.seen, order: BackToFront { words, packing } })
+    }
+}
+
+impl BackToFront<'_> {
+    /// The places of the triangles in the mesh's table, from back to front.
+    pub fn triangles(&self) -> impl Iterator<Item = usize> {
+        self.words.iter().map(|&word| self.packing.number(word))
+    }
+}
+
+impl<V, P: Projection, Sh: Shader, M> Projected<'_, V, P, Sh, M, BackToFront<'_>> {
+    /// The order of its triangles.
+    #[must_use]
+    pub const fn order(&self) -> &BackToFront<'_> {
+        &self.order
+    }
+}
+
+impl Order for BackToFront<'_> {}
+
+impl<'b> Sequence for BackToFront<'b> {
+    type Reach = ();
+    type Indices<'s>
+        = Numbers<'b>
+    where
+        Self: 's;
+
+    #[inline(always)]
+    fn reach(&self, _: &Window, _: &Window) {}
+
+    /// Neighbours in the order that have one material are a run.
+    #[inline(always)]
+    fn for_each_run<E>(
+        &self,
+        tables: &Tables<'_>,
+        mut visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let mut rest = self.words;
+        let mut first = 0;
+        while let Some(&word) = rest.first() {
+            let (material, triangles) = material_of(tables, self.packing.number(word));
+            let is_other = |&word: &u32| !triangles.contains(&self.packing.number(word));
+            let count = rest.iter().position(is_other).unwrap_or(rest.len());
+            visit(MeshMaterial::new(tables, material), first..first + count)?;
+            rest = rest.get(count..).unwrap_or_default();
+            first += count;
+        }
+        Ok(())
+    }
+
+    #[inline(always)]
+    fn indices(&self, run: Range<usize>, (): &()) -> Numbers<'b> {
+        let words = self.words.get(run).unwrap_or_default();
+        Numbers { words: words.iter().copied(), packing: self.packing }
+    }
+}
+
+/// The material of a triangle, and the triangles that have it.
+// codegen: not inlined, because the loop over triangles needs its registers.
+#[inline(never)]
+fn material_of(tables: &Tables<'_>, triangle: usize) -> (usize, Range<usize>) {
+    let mut triangles = 0..0;
+    for (index, material) in tables.materials.iter().enumerate() {
+        triangles = triangles.end..triangles.end + material.triangle_count as usize;
+        if triangle < triangles.end {
+            return (index, triangles);
+        }
+    }
+    // Each triangle has a material: the numbers come from the table of triangles.
+    (0, triangle..triangle + 1)
+}
+
+/// The numbers of some triangles in their order.
+#[derive(Clone, Debug)]
+pub struct Numbers<'b> {
+    words: Copied<slice::Iter<'b, u32>>,
+    packing: Packing,
+}
+
+impl Iterator for Numbers<'_> {
+    type Item = usize;
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<usize> {
+        self.words.next().map(|word| self.packing.number(word))
+    }
+}

@@ -1,0 +1,133 @@
+//! A place on a surface that light falls on, and from where it is seen.
+
+use core::{fmt::Debug, marker::PhantomData};
+
+use super::{
+    gloss::Gloss,
+    lighting::FULL,
+    place::{Anywhere, Here, Place},
+    point::Point,
+};
+use crate::{
+    geometry::{ObjectView, Viewer},
+    numbers::{dot_q15, unit_q15},
+};
+
+/// From where highlights are seen: [`FarViewer`] or [`NearViewer`].
+pub trait ViewedFrom: Copy + Debug + Viewpoint {}
+
+impl ViewedFrom for FarViewer {}
+impl ViewedFrom for NearViewer {}
+
+/// All points of an object see the viewer in the direction in which the middle of its box does:
+/// right in a parallel projection, and for objects that are small beside their distance. Where the
+/// lights are far too, a pixel takes no position and one root less.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct FarViewer;
+
+/// Each point sees the viewer in its own direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NearViewer;
+
+pub trait Viewpoint: Copy + Debug {
+    /// Whether the direction of the viewer depends on the position.
+    type Place: Place;
+
+    /// Whether it does.
+    const IS_NEAR: bool;
+}
+
+impl Viewpoint for FarViewer {
+    type Place = Anywhere;
+    const IS_NEAR: bool = false;
+}
+
+impl Viewpoint for NearViewer {
+    type Place = Here;
+    const IS_NEAR: bool = true;
+}
+
+/// Where an object is seen from, in its space.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Eye<V> {
+    point: Point,
+    /// The direction from the middle of the mesh's box, in Q15.
+    direction: [i32; 3],
+    kind: PhantomData<V>,
+}
+
+impl<V: Viewpoint> Eye<V> {
+    /// Before there is an object.
+    pub(super) const NOWHERE: Self =
+        Self { point: Point::ORIGIN, direction: [0; 3], kind: PhantomData };
+
+    // codegen: not inlined: its temporaries leave the stack.
+    #[inline(never)]
+    pub(super) fn of(view: &ObjectView<'_>) -> Self {
+        let point = match view.viewer() {
+            Viewer::At(eye) => Point::of(eye, view).0,
+            Viewer::Toward(direction) => {
+                Point::toward(view.pose().rotation.turn_back(&direction), view)
+            }
+        };
+        let bounds = view.mesh().bounds();
+        let middle = core::array::from_fn(|axis| {
+            let ends = i32::from(bounds.min[axis]) + i32::from(bounds.max[axis]);
+            (ends << view.mesh().spare_bits()) >> 1
+        });
+        Self { point, direction: point.from(middle).unit, kind: PhantomData }
+    }
+
+    /// The direction towards the viewer from the middle of the mesh, in Q15.
+    pub(super) const fn direction(&self) -> [i32; 3] {
+        self.direction
+    }
+
+    /// The direction towards the viewer from a position of 16 bits, in Q15.
+    #[inline(always)]
+    fn from(&self, position: [i32; 3]) -> [i32; 3] {
+        if V::IS_NEAR { self.point.from(position).unit } else { self.direction }
+    }
+}
+
+/// A place on a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot<'a, V> {
+    /// Of length one, in Q15.
+    pub(super) normal: [i32; 3],
+    /// In 16 bits.
+    pub(super) position: [i32; 3],
+    /// The direction towards the viewer, in Q15.
+    viewer: [i32; 3],
+    gloss: &'a Gloss,
+    kind: PhantomData<V>,
+}
+
+impl<'a, V: Viewpoint> Spot<'a, V> {
+    /// With a normal of a length below 2^16.
+    #[inline(always)]
+    pub(super) fn new([normal, position]: [[i32; 3]; 2], eye: &Eye<V>, gloss: &'a Gloss) -> Self {
+        let normal = unit_q15(normal);
+        Self { normal, position, viewer: eye.from(position), gloss, kind: PhantomData }
+    }
+
+    /// The direction halfway between that of a light and that of the viewer, in Q15.
+    #[inline(always)]
+    pub(super) fn half(&self, light: &[i32; 3]) -> [i32; 3] {
+        half(light, &self.viewer)
+    }
+
+    /// What a light of this level, in Q15, adds to the highlights, in Q30.
+    #[inline(always)]
+    pub(super) fn highlight(&self, half: &[i32; 3], level: u32) -> u32 {
+        let cosine = dot_q15(&self.normal, half).max(0) as u32 >> 15;
+        (self.gloss.at(cosine) * level).min(FULL)
+    }
+}
+
+/// The direction halfway between two of length one, in Q15; zero if they are opposite.
+#[inline(always)]
+pub(super) fn half([a, b, c]: &[i32; 3], [d, e, f]: &[i32; 3]) -> [i32; 3] {
+    // Half their sum, so that the length stays below 2^16.
+    unit_q15([a + d, b + e, c + f].map(|sum| sum - (sum >> 1)))
+}
