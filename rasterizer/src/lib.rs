@@ -153,7 +153,7 @@
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), or [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes |
 //! | new and stored colours | [`Object::blended`](scene::Object::blended) | [`Replace`](output::Replace), [`Blend`](output::Blend) by a function of both |
-//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
+//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`GlossyGouraud`](shade::GlossyGouraud), [`Phong`](shade::Phong), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
 //! | fog | a shader around another one | [`Fogged`](shade::Fogged), [`AtPixels`](shade::AtPixels) or [`AtVertices`](shade::AtVertices) |
 //! | an object's own colour, or place of a texture | a shader around another one, a texture around another one | [`Recolored`](shade::Recolored), [`Offset`](texture::Offset) |
 //! | texels | the texture's type | [formats](texture), sizes, and borders: [`Repeat`](texture::Repeat), [`Mirror`](texture::Mirror), [`Clamp`](texture::Clamp) |
@@ -208,6 +208,8 @@
 //! | texture coordinates | Q2.14, or Q8.24 for up to 64 repeats from 0; near / w with them in Q0.32 | 1/16 texel or 1/256 pixel, whichever is more, where they are divided ([`EveryPixel`](attribute::EveryPixel)); the tolerance, half a texel unless another is chosen, with [`Adaptive`](attribute::Adaptive); for textures of up to 1,024 texels and distances of up to 1:1,000 in a triangle |
 //! | mip levels | Q16.16 | 1/30 level for each pixel ([`PerPixel`](texture::PerPixel)) |
 //! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
+//! | level of a [`Lamp`](shade::Lamp) | Q0.16, directions in Q1.15 | 2<sup>-12</sup> |
+//! | normal of a pixel ([`Phong`](shade::Phong)) | Q1.15 | half a degree |
 //!
 //! Any finite input gives the right picture or an error value before the first pixel: triangles
 //! that leave the guard band of ±1,024 pixels, the near plane or the far plane are clipped, in
@@ -216,6 +218,7 @@
 //!
 //! # Not supported
 //!
+//! * Coloured light, shadows, normal maps, and highlights on textures.
 //! * Antialiasing; lines and points.
 //! * Alpha that is blended: a texel is opaque or transparent. Textures over 1,024 texels wide or
 //!   high, and anisotropic filters.

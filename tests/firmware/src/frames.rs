@@ -21,13 +21,19 @@ use rasterizer::{
     output::{Bands, Frame, Replace, Rgb565Be, StoredDepth},
     scene::{Mode, Object, bin_words},
     shade::{
-        AtVertices, Colored, ColoredGouraud, Density, Flat, Fog, Fogged, Gouraud, Light, Matcap,
-        OnScreen, Shader, Textured, TexturedFlat, TexturedGouraud,
+        AtVertices, Colored, ColoredGouraud, Density, Flat, Fog, Fogged, GlossyGouraud, Gouraud,
+        Level, Light, Matcap, OnScreen, Phong, Shader, Textured, TexturedFlat, TexturedGouraud,
     },
     texture::{Bilinear, Offset, PerPixel, Trilinear},
 };
 
-use crate::{bench::sun, console, cost::fail, memory::Memory, models};
+use crate::{
+    bench::{shades::LAMP, sun},
+    console,
+    cost::fail,
+    memory::Memory,
+    models, shiny,
+};
 
 /// Width and height of the frames: 160 KB of colour and depth.
 pub const SIDE: u32 = 200;
@@ -78,8 +84,37 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     flat(memory, light);
     floating_depth(&knot, memory);
     textured(memory, light);
+    lit(memory, light);
     colors::dithered(memory, light);
     fog(memory, light);
+}
+
+/// Several lights, a lamp, and highlights at vertices and pixels: each in one precision.
+fn lit(memory: &mut Memory<PIXELS>, light: Light) {
+    let fill = Light::new(Vec3::lit("2", "-1", "1"), Level::ZERO, Level::lit("0.4"));
+    let all = ([light, fill], LAMP);
+    lit_with::<S4, _>("gouraud lamp S4", Gouraud::new(all), memory);
+    lit_with::<S8, _>("glossy gouraud S8", GlossyGouraud::new(light), memory);
+    lit_with::<S4, _>("phong S4", Phong::new(light), memory);
+    lit_with::<S8, _>("phong lamp S8", Phong::new(all), memory);
+    lit_with::<S4, _>("phong near S4", Phong::new(light).with_near_viewer(), memory);
+}
+
+/// Filling the picture, with the surface through the near plane, and from inside.
+fn lit_with<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+    name: &str,
+    shader: Sh,
+    memory: &mut Memory<PIXELS>,
+) {
+    let pose = Pose::rotated(Rotation::about_x(Turn::degrees(25)));
+    let sphere = Object::new(&shiny::SPHERE, shader).posed(pose).culled(CullNone);
+    for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let [hash, _] =
+            draw::<_, S, u16, _, _, { models::SPHERE.vertex_count() }>(&sphere, &camera, memory);
+        console::line(format_args!("sphere {view} {name} {hash:08x}"));
+    }
 }
 
 /// The textured cube: stored, filtered, corrected and lit in several ways, each in one precision.

@@ -12,6 +12,7 @@ mod color;
 mod display;
 mod fog;
 mod frames;
+mod light;
 pub mod scenes;
 mod textured;
 

@@ -20,6 +20,7 @@ use rasterizer::{
 
 pub use super::color::{DitheredDirect, DitheredPacked};
 pub use super::fog::{FogPixels, FogVertices, Matcap, VertexColors};
+pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };
