@@ -132,20 +132,20 @@ where
     Sh: Shader<Color: ShownColor + Composite, Outcome: Texel<<Sh as Shader>::Color>>,
 {
     let (Some(fog), Some(core)) = (view.fog, view.core_fog()?) else {
-        return by_projection(model, view, shader, |triangle, corner| {
+        return by_projection::<N, false, _>(model, view, shader, |triangle, corner| {
             (placed(triangle, corner), 1.0)
         });
     };
     let shader = Fogged::new(shader.clone(), &core, fog.core_color().into()).computed(AnyFog);
     let near = view.rounded().near;
     fog::with(fog.by, || {
-        by_projection(model, view, &shader, |triangle, (corner, seen)| {
+        by_projection::<N, true, _>(model, view, &shader, |triangle, (corner, seen)| {
             (placed(triangle, corner), fog::inverse_w(seen, near))
         })
     })
 }
 
-fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
+fn by_projection<const N: usize, const IN_FOG: bool, Sh: Shader<Color: ShownColor>>(
     model: &Model,
     view: &View,
     shader: &Sh,
@@ -153,10 +153,12 @@ fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
 ) -> Result<Placed<N, Sh::Color>, ViewError> {
     match view.projection {
         Projection::Perspective { field_of_view_degrees } => {
-            by_camera(model, view, &view.perspective(field_of_view_degrees)?, shader, placed)
+            let camera = view.perspective(field_of_view_degrees)?;
+            by_camera::<N, IN_FOG, _, _>(model, view, &camera, shader, placed)
         }
         Projection::Orthographic { height } => {
-            by_camera(model, view, &view.orthographic(height)?, shader, placed)
+            let camera = view.orthographic(height)?;
+            by_camera::<N, IN_FOG, _, _>(model, view, &camera, shader, placed)
         }
     }
 }
@@ -166,37 +168,43 @@ pub(super) trait ShownColor: StoredColor + From<Rgb888> + Into<Rgb888> {}
 
 impl<C: StoredColor + From<Rgb888> + Into<Rgb888>> ShownColor for C {}
 
-/// Draws in one of the pairs of precision and depth that a view can have.
-fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color: ShownColor>>(
+/// Draws in one of the pairs of precision and depth that a view can have. Fog does not read depth:
+/// it is compiled with one format.
+fn by_camera<const N: usize, const IN_FOG: bool, P, Sh>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
     shader: &Sh,
     placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
-) -> Result<Placed<N, Sh::Color>, ViewError> {
+) -> Result<Placed<N, Sh::Color>, ViewError>
+where
+    P: geometry::Projection,
+    Sh: Shader<Color: ShownColor>,
+{
     match (view.subpixel, view.depth) {
         (Subpixel::S4, DepthFormat::U16) => {
-            by_format::<N, S4, u16, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S4, DepthFormat::Float16) => {
-            by_format::<N, S4, FloatDepth, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S4, DepthFormat::U32) => {
-            by_format::<N, S4, u32, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S4, u16, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U16) => {
-            by_format::<N, S8, u16, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S8, u16, _, _>(model, view, camera, shader, placed)
+        }
+        _ if IN_FOG => Err(ViewError::DepthInFog),
+        (Subpixel::S4, DepthFormat::Float16) => {
+            by_format::<N, IN_FOG, S4, FloatDepth, _, _>(model, view, camera, shader, placed)
+        }
+        (Subpixel::S4, DepthFormat::U32) => {
+            by_format::<N, IN_FOG, S4, u32, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::Float16) => {
-            by_format::<N, S8, FloatDepth, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S8, FloatDepth, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U32) => {
-            by_format::<N, S8, u32, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S8, u32, _, _>(model, view, camera, shader, placed)
         }
     }
 }
 
-fn by_format<const N: usize, S, D, P, Sh>(
+fn by_format<const N: usize, const IN_FOG: bool, S, D, P, Sh>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
@@ -216,15 +224,15 @@ where
     let projected = object.project(camera, &mut storage)?;
     let projecting = start.elapsed();
     let drawn = object::draw_colors(&projected, view.area())?;
+    let mut inverses = Vec::new();
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-        (corner.depth().depth(), placed(triangle, corner.varyings()).0)
+        let (varyings, inverse_w) = placed(triangle, corner.varyings());
+        inverses.push(inverse_w);
+        (corner.depth().depth(), varyings)
     });
     let fog = view.rounded().fog.map(|fog| {
-        let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-            (corner.depth().depth(), [placed(triangle, corner.varyings()).1])
-        });
         let size = view.size.map(|c| c as usize).into();
-        SeenPicture::new(fog, &triangles, size)
+        SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
     });
     let vertices =
         projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
@@ -236,6 +244,7 @@ where
         colors: drawn.color,
         blended: match view.blending {
             Blending::Replace => None,
+            Blending::By(_) if IN_FOG => return Err(ViewError::BlendingInFog),
             Blending::By(blend) => Some(blended::<S, _, _>(&object, (view, blend), camera)?),
         },
         fog,
