@@ -186,7 +186,7 @@ mod tests {
 
     /// A black floor a unit below the eye, from behind the camera to behind the far plane.
     static FLOOR: Mesh<'static> = Mesh::new_const(Tables {
-        positions: Positions::I16(&[[-99, -1, 20], [99, -1, 20], [99, -1, -400], [-99, -1, -400]]),
+        positions: Positions::I16(&[[-60, -1, 20], [60, -1, 20], [60, -1, -60], [-60, -1, -60]]),
         triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
         materials: &[Material::new([0; 3], 2)],
         ..Tables::EMPTY
