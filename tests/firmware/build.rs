@@ -30,6 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ("cube.obj", CUBE.to_owned()),
         ("sphere.obj", sphere(24, 13)?),
         ("ball.obj", sphere(25, 11)?),
+        ("colored_sphere.obj", colored(&sphere(24, 13)?)),
     ];
     for (name, obj) in bodies {
         fs::write(out.join(name), obj)?;
@@ -101,6 +102,17 @@ fn link() -> Result<(), Box<dyn Error>> {
 const CUBE: &str = "\
      v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
      f 5 6 7 8\nf 6 2 3 7\nf 2 1 4 3\nf 1 5 8 4\nf 8 7 3 4\nf 1 2 6 5\n";
+
+/// Gives the vertices of a body in a cube of side 2 the colours of their places.
+fn colored(obj: &str) -> String {
+    let colored = |line: &str| {
+        let Some(place) = line.strip_prefix("v ") else { return format!("{line}\n") };
+        let part = |text: &str| text.parse::<f64>().map_or(0.0, |c| (c + 1.0) / 2.0).to_string();
+        let color: Vec<String> = place.split(' ').map(part).collect();
+        format!("v {place} {}\n", color.join(" "))
+    };
+    obj.lines().map(colored).collect()
+}
 
 /// Returns a sphere of `around` meridians and `down` rows: 2 `around` (`down` - 1) triangles.
 fn sphere(around: usize, down: usize) -> Result<String, std::fmt::Error> {

@@ -17,7 +17,8 @@ use rasterizer::{
     mesh::{MeshMaterial, MeshVertex},
     numbers::S8,
     output::{
-        BandAreas, Bands, Blend, Frame, FrameError, InPages, PackedColor, PackedFrame, StoredColor,
+        BandAreas, Bands, Blend, Frame, FrameError, InPages, KeepDepth, PackedColor, PackedFrame,
+        Replace, StoredColor,
     },
     raster::Fragment,
     scene::Object,
@@ -214,6 +215,11 @@ fn pixels_are_read_and_left_out_as_in_a_frame() {
         compare_all!(part, C, |target| {
             let shader = Dithered::<_, C>::new(Lattice(Position));
             let object = Object::new(&mesh, shader).blended(Blend(darker::<C>));
+            let Ok(()) = object.project_on_demand(&camera, S8).unwrap().draw(&mut target);
+        });
+        compare_all!(part, C, |target| {
+            let shader = Dithered::<_, C>::new(Position);
+            let object = Object::new(&mesh, shader).blended(KeepDepth(Replace));
             let Ok(()) = object.project_on_demand(&camera, S8).unwrap().draw(&mut target);
         });
         compare_without_depth!(part, C, |target| {

@@ -1,6 +1,6 @@
 //! Differences, in numbers.
 
-use super::{Blended, FixedPicture, Places, Texels};
+use super::{Blended, DisplayOutcome, FixedPicture, NormalErrors, Places, Texels};
 use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
@@ -37,6 +37,9 @@ pub struct Comparison {
     /// Of the blended layers, on the core's own vertices; `None` without blending.
     #[cfg_attr(feature = "cli", serde(flatten))]
     pub blend: Option<Blended>,
+    /// Of the normals of pixels, on the core's own vertices; `None` without light at pixels.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub normals: Option<NormalErrors>,
     /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
     /// How long the reference takes on this machine, in milliseconds.
@@ -75,6 +78,9 @@ pub struct Outcome {
     pub end_to_end: Comparison,
     /// Against the same, pixel by pixel, where vertices cannot be the cause.
     pub places: Places,
+    /// What a display shows of it; `None` without one.
+    #[cfg_attr(feature = "cli", serde(skip_serializing_if = "Option::is_none"))]
+    pub display: Option<DisplayOutcome>,
 }
 
 /// How far the arithmetic may be off. The bounds follow from the number formats and hold for every
@@ -121,25 +127,27 @@ impl Vertices {
 }
 
 impl Comparison {
-    /// Whether the picture keeps the bounds, and each vertex, each texture coordinate and each
-    /// blended colour its own.
+    /// Whether the picture keeps the bounds, and each vertex, coordinate, normal and blended colour
+    /// its own.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.deviation.is_within(bounds)
             && self.vertices.are_within()
             && self.texels.is_none_or(|texels| texels.are_within())
             && self.blend.is_none_or(|blend| blend.is_within(bounds.color_max_error))
+            && self.normals.is_none_or(|normals| normals.are_within())
     }
 }
 
 impl Outcome {
-    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, and no
-    /// pixel is wrong by its place.
+    /// Whether the arithmetic keeps its bounds, each vertex and texture coordinate its own, no
+    /// pixel is wrong by its place, and a display shows the right steps.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.arithmetic.is_within(bounds)
             && self.end_to_end.vertices.are_within()
             && self.places.wrong == 0
+            && self.display.is_none_or(|display| display.is_within())
     }
 
     /// Whether one of the pictures covers a pixel.

@@ -20,7 +20,7 @@ use rasterizer::{
 };
 
 use super::{
-    Blending, DefinedDepth, DepthFormat, Texels,
+    Blending, DefinedDepth, DepthFormat, NormalErrors, Texels,
     blending::{self, Layers, Recorder},
     fog::{self, AnyFog, SeenPicture},
     object::{self, FixedPicture, screen_triangles, to_pixels},
@@ -49,8 +49,8 @@ pub(super) struct Drawn<'a> {
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
 
-/// The reference on the core's own vertices, and how far texture coordinates are off it.
-pub(super) type Arithmetic = (Picture, Option<Texels>);
+/// The reference on the core's own vertices, and how far texture coordinates and normals are off.
+pub(super) type Arithmetic = (Picture, Option<Texels>, Option<NormalErrors>);
 
 /// Draws a model by the core.
 ///
@@ -75,7 +75,7 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888, Outcome = Rgb8
             Some(fog) => fog.over(&bare, |pixel| fixed.color(pixel)),
             None => bare,
         };
-        (picture, None)
+        (picture, None, None)
     };
     Ok(Drawn {
         picture,

@@ -28,14 +28,19 @@ mod compare;
 mod coordinates;
 mod correction;
 mod depth;
+mod display;
 mod filter;
 mod fixed;
 mod fog;
+mod lights;
+mod matcap;
+mod normals;
 mod object;
 mod placement;
 mod places;
 mod probe;
 mod shading;
+mod shiny;
 mod skins;
 mod surface;
 #[cfg(test)]
@@ -50,8 +55,11 @@ pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome, VertexErro
 pub use coordinates::{ExactCoordinate, TexelError, Texels};
 pub use correction::Correction;
 pub use depth::{DefinedDepth, DepthFormat};
+pub use display::{Colors, Display, DisplayOutcome, Matrix};
 pub use filter::{Filter, Precision, Right, Seen};
 pub use fog::{Fog, FogBy};
+pub use lights::{Lamp, MOST_LIGHTS, Sun, ViewLights};
+pub use normals::NormalErrors;
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use shading::Shading;
@@ -140,7 +148,8 @@ impl<'a> Checker<'a> {
     /// those that each face may have; `None` for one with holes.
     fn compare(&self, view: &View, drawn: Drawn<'_>, colors: &[Option<FaceColors>]) -> Checked {
         let Self { model, surface, .. } = self;
-        let ((arithmetic, texels), arithmetic_time) = timed(|| (drawn.arithmetic)(&drawn.picture));
+        let ((arithmetic, texels, normals), arithmetic_time) =
+            timed(|| (drawn.arithmetic)(&drawn.picture));
         let (end_to_end, end_to_end_time) = timed(drawn.end_to_end);
 
         let (fixed, depth) = (drawn.picture, view.depth.definition());
@@ -152,13 +161,15 @@ impl<'a> Checker<'a> {
                 (placement.place(p), bound(p))
             })
         };
-        let has_colors = !view.shading.is_textured() && view.fog.is_none();
+        let is_plain = matches!(view.shading, Shading::Flat | Shading::Gouraud | Shading::Unlit);
+        let has_colors = is_plain && view.fog.is_none();
         let layers = drawn.blended;
         let blend = layers.as_ref().map(|layers| layers.judge(&arithmetic, has_colors));
-        let comparison = |reference, vertices, texels, blend, time| Comparison {
+        let comparison = |reference, vertices, (texels, normals, blend), time| Comparison {
             deviation: compare::compare(&fixed, reference, depth),
             vertices,
             texels,
+            normals,
             blend,
             fixed_ms: milliseconds(drawn.time),
             reference_ms: milliseconds(time),
@@ -178,12 +189,21 @@ impl<'a> Checker<'a> {
         };
         let (places, wrong) = judge.judge(&fixed);
         let outcome = Outcome {
-            arithmetic: comparison(&arithmetic, quantised, texels, blend, arithmetic_time),
-            end_to_end: comparison(&end_to_end, exact, None, None, end_to_end_time),
+            arithmetic: comparison(
+                &arithmetic,
+                quantised,
+                (texels, normals, blend),
+                arithmetic_time,
+            ),
+            end_to_end: comparison(&end_to_end, exact, (None, None, None), end_to_end_time),
             places,
+            display: None,
         };
         let blended = layers.map(|layers| blended(&fixed, &layers));
-        Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth, blended }
+        let mut checked =
+            Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth, blended };
+        checked.outcome.display = view.display.map(|display| display::judge(display, &checked));
+        checked
     }
 }
 

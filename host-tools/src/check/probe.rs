@@ -1,4 +1,5 @@
-//! A shader that also gives each pixel the texture coordinate that it samples.
+//! A shader that also gives each pixel what it sees: the texture coordinate that it samples, or the
+//! normal.
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
@@ -12,26 +13,33 @@ use rasterizer::{
 
 use super::fixed::ShownColor;
 
-/// A colour, and the texture coordinate that it comes from, in Q8.24.
+/// A colour, and what it comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Probed<C> {
+pub(super) struct Probed<C, T = [i32; 2]> {
     color: C,
-    coordinate: Option<[i32; 2]>,
+    seen: Option<T>,
+}
+
+impl<C, T: Copy> Probed<C, T> {
+    /// What the shader sees; `None` where it reads nothing.
+    pub(super) const fn seen(&self) -> Option<T> {
+        self.seen
+    }
 }
 
 impl<C> Probed<C> {
     /// u and v, where 1 is the texture's width or height; `None` without a texture.
     pub(super) fn uv(&self) -> Option<[f64; 2]> {
-        self.coordinate.map(|uv| uv.map(|c| f64::from(c) / 2f64.powi(24)))
+        self.seen.map(|uv| uv.map(|c| f64::from(c) / 2f64.powi(24)))
     }
 }
 
-impl<C: Copy> StoredColor for Probed<C> {
+impl<C: Copy, T: Copy> StoredColor for Probed<C, T> {
     type Fill = PixelFill<Self>;
 }
 
-/// What lies behind keeps its coordinate.
-impl<C: Composite> Composite for Probed<C> {
+/// What lies behind keeps what it comes from.
+impl<C: Composite, T: Copy> Composite for Probed<C, T> {
     fn over(self, stored: Self, alpha: Alpha) -> Self {
         Self { color: self.color.over(stored.color, alpha), ..stored }
     }
@@ -49,39 +57,39 @@ impl<C: Composite> Composite for Probed<C> {
     }
 }
 
-impl<C: From<Rgb888>> From<Rgb888> for Probed<C> {
+impl<C: From<Rgb888>, T> From<Rgb888> for Probed<C, T> {
     fn from(color: Rgb888) -> Self {
-        Self { color: color.into(), coordinate: None }
+        Self { color: color.into(), seen: None }
     }
 }
 
-impl<C: Into<Self>> From<Probed<C>> for Rgb888 {
-    fn from(probed: Probed<C>) -> Self {
+impl<C: Into<Self>, T> From<Probed<C, T>> for Rgb888 {
+    fn from(probed: Probed<C, T>) -> Self {
         probed.color.into()
     }
 }
 
-/// A shader whose colours have their coordinates with them. `read` takes the coordinate, in Q8.24,
-/// from what a pixel sees of the varyings; it is `None` for a shader without a texture.
+/// A shader whose colours have with them what `read` takes from a pixel's varyings: the coordinate
+/// in Q8.24 of a texture, which is `None` without one, or the normal.
 #[derive(Debug)]
-pub(super) struct Probe<Sh: Shader> {
+pub(super) struct Probe<Sh: Shader, T = [i32; 2]> {
     pub(super) shader: Sh,
-    pub(super) read: fn(&Sample<Sh>) -> Option<[i32; 2]>,
+    pub(super) read: fn(&Sample<Sh>) -> Option<T>,
 }
 
-impl<Sh: Shader> Clone for Probe<Sh> {
+impl<Sh: Shader, T> Clone for Probe<Sh, T> {
     fn clone(&self) -> Self {
         Self { shader: self.shader.clone(), read: self.read }
     }
 }
 
-impl<Sh: Shader<Color: ShownColor>> Shader for Probe<Sh> {
-    type Color = Probed<Sh::Color>;
+impl<Sh: Shader<Color: ShownColor>, T: Copy> Shader for Probe<Sh, T> {
+    type Color = Probed<Sh::Color, T>;
     type Varyings = Sh::Varyings;
     type Surface = Sh::Surface;
     type Face = Sh::Face;
     /// Pixels that the shader discards stay discarded.
-    type Outcome = Option<Probed<Sh::Color>>;
+    type Outcome = Option<Probed<Sh::Color, T>>;
 
     const TABLES: RequiredTables = Sh::TABLES;
 
@@ -102,10 +110,10 @@ impl<Sh: Shader<Color: ShownColor>> Shader for Probe<Sh> {
         surface: &Sh::Surface,
         face: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
-    ) -> Face<Probed<Sh::Color>, Sh::Face> {
+    ) -> Face<Probed<Sh::Color, T>, Sh::Face> {
         match self.shader.face(surface, face, gradients) {
             // A face of one colour samples nothing.
-            Face::Solid(color) => Face::Solid(Probed { color, coordinate: None }),
+            Face::Solid(color) => Face::Solid(Probed { color, seen: None }),
             Face::Shaded(shared) => Face::Shaded(shared),
         }
     }
@@ -115,21 +123,21 @@ impl<Sh: Shader<Color: ShownColor>> Shader for Probe<Sh> {
         surface: &Sh::Surface,
         face: &Sh::Face,
         fragment: Fragment<Sample<Self>>,
-    ) -> Option<Probed<Sh::Color>> {
-        let coordinate = (self.read)(&fragment.varyings);
+    ) -> Option<Probed<Sh::Color, T>> {
+        let seen = (self.read)(&fragment.varyings);
         let color = self.shader.pixel(surface, face, fragment).color()?;
-        Some(Probed { color, coordinate })
+        Some(Probed { color, seen })
     }
 
     fn pixels(
         &self,
         surface: &Sh::Surface,
         face: Sh::Face,
-    ) -> impl Fn(Fragment<Sample<Self>>) -> Option<Probed<Sh::Color>> + Copy {
+    ) -> impl Fn(Fragment<Sample<Self>>) -> Option<Probed<Sh::Color, T>> + Copy {
         let (pixels, read) = (self.shader.pixels(surface, face), self.read);
         move |fragment| {
-            let coordinate = read(&fragment.varyings);
-            Some(Probed { color: pixels(fragment).color()?, coordinate })
+            let seen = read(&fragment.varyings);
+            Some(Probed { color: pixels(fragment).color()?, seen })
         }
     }
 }

@@ -5,10 +5,10 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
-    attribute::{Affine, Components, Correction as Mode},
+    attribute::{Affine, Components, Correction as Mode, InverseW},
     shade::{
-        Colored, ColoredGouraud, Flat, Gouraud, Light, Textured, TexturedFlat, TexturedGouraud,
-        Unlit,
+        Colored, ColoredGouraud, FarViewer, Flat, Gouraud, Lighting, NearViewer, Phong,
+        PhongCorrection, Textured, TexturedFlat, TexturedGouraud, Unlit,
     },
     texture::TextureVarying,
 };
@@ -17,7 +17,11 @@ use super::{
     any_mode::{AnyMode, InAnyMode},
     any_texture::AnyFilter,
     fixed::{self, Drawn},
+    lights::total,
+    matcap,
     places::FaceColors,
+    quantised_positions,
+    shiny::{self, Definition},
     skins::Skins,
     surface::Surface,
     textured::{self, PlacedCorner},
@@ -36,12 +40,20 @@ pub enum Shading {
     /// Lit at the vertices and interpolated.
     #[default]
     Gouraud,
+    /// The same with highlights and with light of materials.
+    GlossyGouraud,
+    /// Lit at each pixel, with highlights as a far viewer sees them.
+    Phong,
+    /// The same for a viewer that each point sees in its own direction.
+    PhongNear,
     /// The material's colour.
     Unlit,
     /// The colours of the vertices, without light.
     Colored,
     /// The colours of the vertices, lit there and interpolated.
     ColoredGouraud,
+    /// The picture of a ball of copper, looked up by the normal.
+    Matcap,
     /// The material's texture, without light.
     Textured,
     /// The texture, lit by the triangle's normal.
@@ -52,12 +64,16 @@ pub enum Shading {
 
 impl Shading {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 8] = [
+    pub const NAMES: [(&'static str, Self); 12] = [
         ("flat", Self::Flat),
         ("gouraud", Self::Gouraud),
         ("unlit", Self::Unlit),
+        ("glossy-gouraud", Self::GlossyGouraud),
+        ("phong", Self::Phong),
+        ("phong-near", Self::PhongNear),
         ("colored", Self::Colored),
         ("colored-gouraud", Self::ColoredGouraud),
+        ("matcap", Self::Matcap),
         ("textured", Self::Textured),
         ("textured-flat", Self::TexturedFlat),
         ("textured-gouraud", Self::TexturedGouraud),
@@ -82,6 +98,12 @@ impl Shading {
         matches!(self, Self::Colored | Self::ColoredGouraud)
     }
 
+    /// Whether it has highlights.
+    #[must_use]
+    pub const fn is_shiny(self) -> bool {
+        matches!(self, Self::GlossyGouraud | Self::Phong | Self::PhongNear)
+    }
+
     /// Whether it reads texture coordinates.
     #[must_use]
     pub const fn is_textured(self) -> bool {
@@ -100,7 +122,68 @@ pub(super) fn draw<'a>(
     skins: &'a Skins,
     view: &View,
 ) -> Result<Drawn<'a>, ViewError> {
-    let (core_light, light) = (View::light(), view.reference_light());
+    match (view.shading, view.lights.single()) {
+        (Shading::Phong | Shading::PhongNear, _) => draw_at_pixels(model, surface, view),
+        (_, Some(light)) => draw_lit(model, surface, skins, view, light),
+        (_, None) => draw_lit(model, surface, skins, view, view.lights.core()),
+    }
+}
+
+/// [`draw`] for shaders with light at each pixel.
+fn draw_at_pixels<'a>(
+    model: &'a Model,
+    surface: &'a Surface,
+    view: &View,
+) -> Result<Drawn<'a>, ViewError> {
+    let (suns, lamps) = view.lights.core();
+    let is_near = view.shading == Shading::PhongNear;
+    let definition = Definition::new((model, surface), &view.rounded(), is_near);
+    let over = |inverse_w: InverseW| f64::from(inverse_w.to_bits()) / 2f64.powi(32);
+    let with_position = |([x, y, z, u, v, w], inverse_w): ([i16; 6], InverseW)| {
+        ([[x, y, z], [u, v, w]].map(|part| part.map(f64::from)), over(inverse_w))
+    };
+    if is_near {
+        shiny::draw_at_pixels::<_, NearViewer>(
+            definition,
+            view,
+            &Phong::new((suns, lamps)).with_near_viewer().with_levels(),
+            |seen| seen.value.first_chunk().map(|normal| normal.map(fixed_bits)),
+            |corner| with_position(PhongCorrection::parts::<[i16; 6]>(corner)),
+        )
+    } else if view.lights.are_near() {
+        shiny::draw_at_pixels::<_, FarViewer>(
+            definition,
+            view,
+            &Phong::new((suns, lamps)).with_levels(),
+            |seen| seen.value.first_chunk().map(|normal| normal.map(fixed_bits)),
+            |corner| with_position(PhongCorrection::parts::<[i16; 6]>(corner)),
+        )
+    } else {
+        shiny::draw_at_pixels::<_, FarViewer>(
+            definition,
+            view,
+            &Phong::new(suns).with_levels(),
+            |seen| Some(seen.value.map(fixed_bits)),
+            |corner| {
+                let (normal, inverse_w) = PhongCorrection::parts::<[i16; 3]>(corner);
+                ([normal.map(f64::from), [0.0; 3]], over(inverse_w))
+            },
+        )
+    }
+}
+
+const fn fixed_bits(number: rasterizer::fixed::types::I16F16) -> i32 {
+    number.to_bits()
+}
+
+/// [`draw`] for shaders with light at vertices or triangles, or without.
+fn draw_lit<'a, L: Lighting>(
+    model: &'a Model,
+    surface: &'a Surface,
+    skins: &'a Skins,
+    view: &View,
+    core_lights: L,
+) -> Result<Drawn<'a>, ViewError> {
     let colors = triangle_colors(model);
     let file_color =
         |triangle: usize| model.exact.faces.faces[surface.faces[triangle]].color.map(f64::from);
@@ -112,30 +195,20 @@ pub(super) fn draw<'a>(
     };
     match view.shading {
         Shading::Flat => {
-            let shader = Flat::<Rgb888>::new(core_light);
-            let turned = core_light.for_object(&view.pose());
-            let normals = view.pose_points(&surface.triangle_normals(model));
+            let (levels, file_levels) = flat_levels(model, surface, view);
             fixed::draw(
                 (model, surface),
                 view,
-                &shader,
-                |triangle, []| [quantised_level(&turned, model.face_normals[triangle])],
+                &Flat::<Rgb888, L>::new(core_lights),
+                |triangle, []| [levels[triangle]],
                 lit,
-                move |corner: Corner| [light.level(normals[corner.triangle])],
+                move |corner: Corner| [file_levels[corner.triangle]],
                 file_lit,
             )
         }
-        Shading::Gouraud => {
-            let levels = corner_levels(model, surface, view);
-            fixed::draw(
-                (model, surface),
-                view,
-                &Gouraud::<Rgb888, LEVELS>::with_levels(core_light),
-                |_, [place]| [ramp_level(place)],
-                lit,
-                move |corner: Corner| [levels[corner.vertex][0]],
-                file_lit,
-            )
+        Shading::GlossyGouraud => {
+            let definition = Definition::new((model, surface), &view.rounded(), false);
+            shiny::draw_at_vertices(definition, view, core_lights)
         }
         Shading::Unlit => {
             let colors = triangle_colors(model);
@@ -163,7 +236,7 @@ pub(super) fn draw<'a>(
             fixed::draw(
                 (model, surface),
                 view,
-                &ColoredGouraud::<Rgb888>::new(core_light),
+                &ColoredGouraud::<Rgb888, Affine, L>::new(core_lights),
                 |_, corner| channels(&corner),
                 |sample: Sample<3>| Some(sample.varyings),
                 move |corner: Corner| {
@@ -173,51 +246,86 @@ pub(super) fn draw<'a>(
                 |sample: Sample<3>| Some(sample.varyings),
             )
         }
+        Shading::Matcap => matcap::draw((model, surface, skins), view),
         Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
-            draw_textured(model, surface, skins, view)
+            draw_textured(model, surface, skins, view, core_lights)
+        }
+        _ => {
+            let levels = corner_levels(model, surface, view);
+            fixed::draw(
+                (model, surface),
+                view,
+                &Gouraud::<Rgb888, LEVELS, L>::with_levels(core_lights),
+                |_, [place]| [ramp_level(place)],
+                lit,
+                move |corner: Corner| [levels[corner.vertex][0]],
+                file_lit,
+            )
         }
     }
+}
+
+/// The levels of the triangles of the tables, and of those that the faces of the file are cut into,
+/// at their middles.
+fn flat_levels(model: &Model, surface: &Surface, view: &View) -> (Vec<f64>, Vec<f64>) {
+    let lights = view.lights.reference();
+    let mean = |corners: [[f64; 3]; 3]| {
+        [0, 1, 2].map(|i| corners.iter().map(|corner| corner[i]).sum::<f64>() / 3.0)
+    };
+    let positions = view.core_pose_points(&quantised_positions(model));
+    let normals: Vec<_> =
+        model.face_normals.iter().map(|n| n.map(|c| f64::from(c) / 127.0)).collect();
+    let triangles = model.triangles.as_triangles();
+    let levels = view.core_pose_points(&normals).into_iter().enumerate().map(|(i, normal)| {
+        let corners = triangles.get(i).unwrap_or_default();
+        lights.diffuse(mean(corners.map(|vertex| positions[vertex])), normal)
+    });
+    // There is no surface where only the core's picture is wanted.
+    let mesh = surface.mesh(model, &view.rounded());
+    let file_normals = view.pose_points(&surface.triangle_normals(model));
+    let file_levels = mesh.triangles.iter().zip(file_normals).map(|(corners, normal)| {
+        lights.diffuse(mean(corners.map(|vertex| mesh.positions[vertex])), normal)
+    });
+    (levels.collect(), file_levels.collect())
 }
 
 const MATERIALS: &str = "a model has triangles, and these have materials";
 
 /// [`draw`] for shaders with textures.
-fn draw_textured<'a>(
+fn draw_textured<'a, L: Lighting>(
     model: &'a Model,
     surface: &'a Surface,
     skins: &'a Skins,
     view: &View,
+    core_lights: L,
 ) -> Result<Drawn<'a>, ViewError> {
-    let (core_light, light) = (View::light(), view.reference_light());
     let textures = skins.filtered(view.filter);
     let all = (model, surface, skins);
+    let texture_of = |material: usize| &skins.textures[material];
     let file_uv = |corner: Corner| {
         let all = &model.exact.faces.texture_coordinates;
         all.get(corner.vertex).copied().unwrap_or_default()
     };
     match view.shading {
         Shading::TexturedFlat => {
-            let shader = TexturedFlat::from_slice(&textures, core_light)
+            let shader = TexturedFlat::from_slice(&textures, core_lights)
                 .expect(MATERIALS)
                 .filtered(AnyFilter)
                 .corrected(AnyMode)
                 .with_wide_coordinates();
-            let turned = core_light.for_object(&view.pose());
-            let normals = view.pose_points(&surface.triangle_normals(model));
+            let (levels, file_levels) = flat_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
-                |triangle, corner| {
-                    let level = quantised_level(&turned, model.face_normals[triangle]);
-                    placed_corner(&corner, level)
-                },
-                move |corner| (file_uv(corner), light.level(normals[corner.triangle])),
+                |triangle, corner| placed_corner(&corner, levels[triangle]),
+                move |corner| (file_uv(corner), file_levels[corner.triangle]),
             )
         }
         Shading::TexturedGouraud => {
-            let shader = TexturedGouraud::from_slice(&textures, core_light)
+            let shader = TexturedGouraud::from_slice(&textures, core_lights)
                 .expect(MATERIALS)
                 .filtered(AnyFilter)
                 .corrected(AnyMode)
@@ -225,6 +333,7 @@ fn draw_textured<'a>(
             let levels = corner_levels(model, surface, view);
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |(seen, _)| Some(seen.value.uv()),
@@ -243,6 +352,7 @@ fn draw_textured<'a>(
                 .with_wide_coordinates();
             textured::draw(
                 all,
+                texture_of,
                 view,
                 &shader,
                 |seen| Some(seen.value.uv()),
@@ -279,10 +389,16 @@ pub(super) fn colors(
     skins: &Skins,
     view: &View,
 ) -> Vec<Option<FaceColors>> {
-    let levels = levels(model, surface, view);
     let faces = model.exact.faces.faces.iter();
+    let brightest = shiny::brightest(model);
+    let levels = levels(model, surface, view);
     let bare = faces.zip(levels).map(|(face, levels)| {
-        if view.shading.is_textured() {
+        if view.shading.is_shiny() {
+            let range = [[0.0; 3], brightest[face.material]];
+            Some(FaceColors { range, levels: [0.0, 1.0] })
+        } else if view.shading == Shading::Matcap {
+            Some(matcap::colors())
+        } else if view.shading.is_textured() {
             skins.colors(face.material, levels)
         } else if view.shading.is_colored() {
             let corners = face.corners.clone().map(|corner| file_channels(model, corner));
@@ -320,66 +436,66 @@ fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
 
 /// The levels of light that each face may have.
 fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
-    let light = view.reference_light();
+    let lights = view.lights.reference();
     let faces = &model.exact.faces;
-    let darkest = light.ambient - NORMAL;
-    let any = [darkest, 1.0];
+    // By how much the level of a normal in 127ths may be off: it lies in the unit cube about the
+    // exact one, whose diagonal is the root of 3.
+    let normal = total(&lights).min(1.0) * 1.733 / 127.0;
+    let any = [lights.ambient - normal, 1.0];
     let within = |levels: &mut dyn Iterator<Item = f64>| {
         let [low, high] = levels
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], l| [low.min(l), high.max(l)]);
-        [low - NORMAL, high + NORMAL]
+        [low - normal, high + normal]
     };
     match view.shading {
-        Shading::Unlit | Shading::Colored | Shading::Textured => {
+        Shading::Unlit | Shading::Colored | Shading::Matcap | Shading::Textured => {
             vec![[1.0, 1.0]; faces.faces.len()]
         }
-        Shading::Gouraud | Shading::ColoredGouraud | Shading::TexturedGouraud => {
+        // Where its middle lies, depends on how a face is cut.
+        Shading::Flat | Shading::TexturedFlat if view.lights.are_near() => {
+            vec![any; faces.faces.len()]
+        }
+        Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())
+            .map(|face| {
+                surface.possible_normals(faces, face).map_or(any, |normals| {
+                    let normals = view.pose_points(&normals).into_iter();
+                    within(&mut normals.map(|n| lights.diffuse([0.0; 3], n)))
+                })
+            })
+            .collect(),
+        _ => {
             let levels = corner_levels(model, surface, view);
             (faces.faces.iter())
                 .map(|face| within(&mut levels[face.corners.clone()].iter().flatten().copied()))
                 .collect()
         }
-        Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())
-            .map(|face| {
-                surface.possible_normals(faces, face).map_or(any, |normals| {
-                    within(&mut view.pose_points(&normals).into_iter().map(|n| light.level(n)))
-                })
-            })
-            .collect(),
     }
 }
 
-/// By how much the level of a normal in 127ths may be off: it lies in the unit cube about the exact
-/// one, whose diagonal is the root of 3, and the light has a diffuse part below 0.85.
-const NORMAL: f64 = 0.85 * 1.733 / 127.0;
-
 /// The levels that each corner of each face may have, at least one.
 fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>> {
-    let light = view.reference_light();
-    let level = |normal| light.level(normal);
-    let of_vertices: Vec<f64> =
-        view.pose_points(&model.exact.vertex_normals).into_iter().map(level).collect();
+    let lights = view.lights.reference();
+    let positions = view.pose_points(&model.exact.positions).into_iter();
+    let of_vertices: Vec<f64> = (view.pose_points(&model.exact.vertex_normals).into_iter())
+        .zip(positions)
+        .map(|(normal, position)| lights.diffuse(position, normal))
+        .collect();
     let normals: Vec<_> =
         surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
-    let of_faces = view.pose_points(&normals).into_iter().map(level);
+    let of_faces = view.pose_points(&normals);
+    let faces = &model.exact.faces;
+    let places = view.pose_points(&faces.positions);
     let mut levels = Vec::with_capacity(surface.vertices.len());
-    for (face, of_face) in model.exact.faces.faces.iter().zip(of_faces) {
-        for vertices in &surface.vertices[face.corners.clone()] {
+    for (face, normal) in faces.faces.iter().zip(of_faces) {
+        for corner in face.corners.clone() {
+            let vertices = &surface.vertices[corner];
+            let of_face = lights.diffuse(places[faces.corners[corner] as usize], normal);
             let known = vertices.iter().filter_map(|&vertex| of_vertices.get(vertex).copied());
             let known: Vec<f64> = known.collect();
             levels.push(if known.is_empty() { vec![of_face] } else { known });
         }
     }
     levels
-}
-
-/// The level of a face by the definition, from its normal in the table and from a light in object
-/// space.
-fn quantised_level(light: &Light, normal: [i8; 3]) -> f64 {
-    let product =
-        |i: usize| f64::from(normal[i]) / 127.0 * f64::from(light.toward()[i]) / 2f64.powi(30);
-    let dot: f64 = (0..3).map(product).sum();
-    (light.ambient().to_num::<f64>() + light.diffuse().to_num::<f64>() * dot.max(0.0)).min(1.0)
 }
 
 /// The level that a place in the ramp stands for: 0 and 1 lie in the middle of the first and the

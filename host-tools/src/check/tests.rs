@@ -5,8 +5,11 @@ use std::fs;
 
 mod blending;
 mod colored;
+mod display;
 mod filter;
 mod fog;
+mod matcap;
+mod shiny;
 mod textured;
 
 use super::*;
@@ -92,7 +95,9 @@ const FRONT: View = View {
     blending: Blending::Replace,
     background: BACKGROUND,
     opacity: 1.0,
+    display: None,
     fog: None,
+    lights: ViewLights::OVER_THE_SHOULDER,
 };
 
 #[track_caller]

@@ -17,7 +17,7 @@ use super::{
 };
 use crate::{
     model::Model,
-    reference::{self, Corner, Footprint, Sample, is_opaque, lit},
+    reference::{self, Corner, Footprint, Mipmaps, Sample, is_opaque, lit},
 };
 
 /// The varyings of the reference: u, v and 1 / w of
@@ -42,18 +42,20 @@ pub(super) struct PlacedCorner {
     pub(super) light: f64,
 }
 
-/// Draws a textured model by the core. `read` takes the texture coordinate in Q8.24 from what a
-/// pixel sees; `placed` returns a corner from its triangle and its stored varyings, and `exact` the
-/// coordinates and the light level of a corner of the file.
+/// Draws a textured model by the core. `texture_of` returns the texture of a material; `read` takes
+/// the texture coordinate in Q8.24 from what a pixel sees; `placed` returns a corner from its
+/// triangle and its stored varyings, and `exact` the coordinates and the light level of a corner of
+/// the file.
 pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     (model, surface, skins): (&'a Model, &'a Surface, &'a Skins),
+    texture_of: impl Fn(usize) -> &'a Mipmaps + Copy + 'a,
     view: &View,
     shader: &Sh,
     read: fn(&shade::Sample<Sh>) -> Option<[i32; 2]>,
     placed: impl Fn(usize, OnScreen<Sh>) -> PlacedCorner,
     exact: impl Fn(Corner) -> ([f64; 2], f64) + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Skins { textures, materials, file_materials, .. } = skins;
+    let Skins { materials, file_materials, .. } = skins;
     let (perspective, filter) = (view.perspective, view.filter);
     let shader = Probe { shader: shader.clone(), read };
     let Placed { picture, triangles, vertices, time, colors, blended, fog } =
@@ -69,7 +71,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     let depth = view.depth.definition();
     let arithmetic = move |fixed: &super::FixedPicture| {
         let seen = reference::draw_screen(&triangles, size, |sample: Sample<6>| {
-            let texture = &textures[materials[sample.triangle]];
+            let texture = texture_of(materials[sample.triangle]);
             Some(Seen {
                 texture,
                 exact: perspective.exact(&sample),
@@ -100,7 +102,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
             Some(fog) => fog.over(&picture, |pixel| fixed.color(pixel)),
             None => picture,
         };
-        (picture, Some(texels))
+        (picture, Some(texels), None)
     };
     let exact = move |corner: Corner| -> Varyings {
         let (uv, light) = exact(corner);
@@ -108,7 +110,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     };
     let shade = move |sample: Sample<6>| {
         let exact = footprint(&sample, sample.depth);
-        let texture = &textures[file_materials[sample.triangle]];
+        let texture = texture_of(file_materials[sample.triangle]);
         let texel = filter.texel(texture, &exact);
         is_opaque(texel).then(|| lit(texel, sample.varyings[3]))
     };

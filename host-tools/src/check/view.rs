@@ -10,10 +10,12 @@ use rasterizer::{
     numbers::{Rotation, Scalar, Turn, Vec3},
     output::FrameError,
     scene::ProjectError,
-    shade::{self, Level, Light},
+    shade,
 };
 
-use super::{BACKGROUND, Blending, Correction, DepthFormat, Filter, Fog, Shading};
+use super::{
+    BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights,
+};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -87,6 +89,10 @@ pub struct View {
     pub background: [u8; 3],
     /// What the opacity of all materials is multiplied by where pixels are blended, from 0 to 1.
     pub opacity: f64,
+    /// The display that shows the picture; `None` for one with all of its colours.
+    pub display: Option<Display>,
+    /// What lights the model.
+    pub lights: ViewLights,
     /// What colours fade into with the distance.
     pub fog: Option<Fog>,
 }
@@ -111,6 +117,8 @@ impl Default for View {
             blending: Blending::default(),
             background: BACKGROUND,
             opacity: 1.0,
+            display: None,
+            lights: ViewLights::default(),
             fog: None,
         }
     }
@@ -149,11 +157,6 @@ pub enum ViewError {
     #[error("{0}")]
     Frame(#[from] FrameError),
 }
-
-/// Where the light comes from: over the viewer's left shoulder.
-const LIGHT: [&str; 3] = ["-1", "2", "3"];
-const AMBIENT: &str = "0.2";
-const DIFFUSE: &str = "0.8";
 
 impl View {
     /// Returns the view with the model turned further about y: step `frame` of `frames` in a full
@@ -244,7 +247,7 @@ impl View {
 
     /// The distance of a pixel in the reference from its depth. In a parallel projection fog sees
     /// all of them at the near plane.
-    pub(super) fn fog_distance(&self, depth: f64) -> f64 {
+    pub(super) const fn fog_distance(&self, depth: f64) -> f64 {
         match self.projection {
             Projection::Perspective { .. } => self.near / depth,
             Projection::Orthographic { .. } => self.near,
@@ -258,19 +261,11 @@ impl View {
         ])
     }
 
-    pub(super) const fn light() -> Light {
-        let [x, y, z] = LIGHT;
-        Light::new(Vec3::lit(x, y, z), Level::lit(AMBIENT), Level::lit(DIFFUSE))
-    }
-
-    pub(super) fn reference_light(&self) -> reference::Light {
-        let number = |text: &str| text.parse().expect("the light is given in decimal numbers");
-        let toward: [f64; 3] = LIGHT.map(number);
-        let length = toward.iter().map(|c| c * c).sum::<f64>().sqrt();
-        reference::Light {
-            toward: toward.map(|c| c / length),
-            ambient: number(AMBIENT),
-            diffuse: number(DIFFUSE),
+    /// Where the viewer is.
+    pub(super) fn reference_viewer(&self) -> reference::Viewer {
+        match self.projection {
+            Projection::Perspective { .. } => reference::Viewer::At([0.0, 0.0, self.distance]),
+            Projection::Orthographic { .. } => reference::Viewer::Toward([0.0, 0.0, 1.0]),
         }
     }
 

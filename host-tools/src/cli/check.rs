@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{BACKGROUND, Bounds, Checked, Checker, Outcome, Shading, View},
+    check::{BACKGROUND, Bounds, Checked, Checker, Display, Matrix, Outcome, Shading, View},
     model::Model,
 };
 use serde::Serialize;
@@ -31,19 +31,29 @@ Examples:
   host-tools check model.obj --json | jq .arithmetic
   host-tools check model.obj --filter trilinear --perspective every-16
   host-tools check model.obj --blend over --opacity 0.5
+  host-tools check model.obj --shading flat --colors binary --dither 8
+  host-tools check model.obj --shading phong --light 1,2,2,0.5 --lamp 0,0.5,1.5,1
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
                 against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic. Of a texture,
                 each coordinate against the exact one, in texels: within 1/16 texel or 1/256 pixel,
                 and what the steps of --perspective add. Close to the border of a texel, either
-                texel is right; elsewhere one is.
+                texel is right; elsewhere one is. With light at pixels, each normal against the
+                exact one: within half a degree; and the colour against that of the pixel's normal,
+                where a highlight may be off by what a cosine of 15 bits leaves of its power,
+                (1 + Ns / 32) / 256 of the light.
                 With --blend, the layers of each pixel from back to front, and their blended colour
                 against f64: 1/2 step of rounding for each layer, times what later ones let pass.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
                 covered those where faces meet.
+  Display       With --colors: each pixel has the step that the definition of dithering gives the
+                core's colour, and one that it gives the exact colour, give or take a step of 8
+                bits. The mean of each 8x8 square of one colour is within 1/64 of white of it with
+                --dither 8, within 1/32 with 4: of its light with one and two bits, else of its
+                stored values.
 
 Exit status: 0 if all bounds are kept, also if the view shows nothing; 1 if not; 2 for bad usage or
 bad input.";
@@ -54,8 +64,8 @@ bad input.";
 pub(super) struct Arguments {
     /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
-    /// Directory for fixed.png, reference.png and difference.png [default: target/check/NAME, or
-    /// NAME-check without a directory target]
+    /// Directory for fixed.png, reference.png, difference.png and, with --colors, display.png
+    /// [default: target/check/NAME, or NAME-check without a directory target]
     #[arg(long, value_name = "DIR")]
     pictures: Option<PathBuf>,
     /// Overwrite pictures that are not from this program
@@ -77,6 +87,9 @@ pub(super) struct Pictures {
     pub(super) reference: PathBuf,
     #[serde(serialize_with = "lossy")]
     pub(super) difference: PathBuf,
+    /// What a display shows, beside its nearest colours.
+    #[serde(serialize_with = "lossy_or_none", skip_serializing_if = "Option::is_none")]
+    pub(super) display: Option<PathBuf>,
 }
 
 impl Pictures {
@@ -84,6 +97,7 @@ impl Pictures {
     pub(super) fn allow(&self, overwriting: Overwriting<'_>) -> Result<()> {
         [&self.fixed, &self.reference, &self.difference]
             .into_iter()
+            .chain(&self.display)
             .try_for_each(|path| output::allow(path, output::PNG, overwriting))
     }
 }
@@ -92,6 +106,13 @@ impl Pictures {
 /// readable.
 fn lossy<S: serde::Serializer>(path: &Path, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_str(&path.to_string_lossy())
+}
+
+fn lossy_or_none<S: serde::Serializer>(
+    path: &Option<PathBuf>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    lossy(path.as_deref().unwrap_or(Path::new("")), serializer)
 }
 
 /// The worst frame of a turntable.
@@ -119,6 +140,7 @@ struct Json {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let (path, frames) = (&arguments.model, arguments.view.frames);
+    arguments.view.check()?;
     if let Some(directory) = &arguments.pictures {
         allow_directory(directory)?;
     }
@@ -136,10 +158,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         fixed: directory.join("fixed.png"),
         reference: directory.join("reference.png"),
         difference: directory.join("difference.png"),
+        display: view.display.map(|_| directory.join("display.png")),
     };
     let inputs = output::inputs(&model);
     pictures.allow(Overwriting { force: arguments.force, inputs: &inputs })?;
-    let legend = write_pictures(&worst.checked, &pictures)?;
+    let legend = write_pictures(&worst.checked, &pictures, view.display)?;
 
     let outcome = worst.checked.outcome;
     let is_within_bounds = outcome.is_within(&Bounds::ARITHMETIC);
@@ -170,6 +193,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         writeln!(text, "Fixed point  {}", pictures.fixed.display())?;
         writeln!(text, "Reference    {}", pictures.reference.display())?;
         writeln!(text, "Difference   {}", pictures.difference.display())?;
+        if let Some(path) = &pictures.display {
+            writeln!(text, "Display      {}, beside the nearest colours", path.display())?;
+        }
         text + &table::legend(&legend)
     };
     Ok(Done { output: text.into(), is_within_bounds })
@@ -196,10 +222,19 @@ pub(super) fn worst_frame(path: &Path, model: &Model, view: &View, frames: u32) 
 }
 
 /// Writes the three pictures of a frame, which [`Pictures::allow`] allows.
-pub(super) fn write_pictures(checked: &Checked, pictures: &Pictures) -> Result<Legend> {
+pub(super) fn write_pictures(
+    checked: &Checked,
+    pictures: &Pictures,
+    display: Option<Display>,
+) -> Result<Legend> {
     let (difference, legend) = image::of_differences(checked, &Bounds::ARITHMETIC);
     let fixed = image::of_fixed(&checked.fixed, BACKGROUND);
     let reference = image::of_reference(&checked.end_to_end, BACKGROUND);
+    if let (Some(path), Some(display)) = (&pictures.display, display) {
+        let nearest = Display { dither: Matrix::None, ..display };
+        let both = fixed.shown_by(display).beside(&fixed.shown_by(nearest));
+        output::write(path, &png::still(&both)?)?;
+    }
     let files = [
         (&pictures.fixed, fixed),
         (&pictures.reference, reference),

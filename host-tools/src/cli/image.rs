@@ -1,8 +1,7 @@
 //! Pictures to look at: those of both rasterizers on a background, and their differences.
 
-use embedded_graphics_core::pixelcolor::{Rgb565, Rgb888, RgbColor};
 use host_tools::{
-    check::{Bounds, Checked, Difference, FixedPicture, Pixel},
+    check::{Bounds, Checked, Difference, Display, FixedPicture, Pixel},
     reference::Picture,
 };
 
@@ -150,13 +149,18 @@ impl Image {
         }
     }
 
-    /// The colours as an RGB565 display shows them.
-    pub(super) fn as_rgb565(&self) -> Self {
-        let shown = |&[r, g, b]: &[u8; 3]| {
-            let color = Rgb888::from(Rgb565::from(Rgb888::new(r, g, b)));
-            [color.r(), color.g(), color.b()]
-        };
-        Self { size: self.size, rgb: self.rgb.iter().map(shown).collect() }
+    /// What a display shows of it.
+    pub(super) fn shown_by(&self, display: Display) -> Self {
+        Self { size: self.size, rgb: display.shown(self.size, &self.rgb) }
+    }
+
+    /// This picture and, on its right, another one of the same size.
+    pub(super) fn beside(&self, other: &Self) -> Self {
+        let [width, height] = self.size;
+        let rows = |image: &'_ Self| image.rgb.chunks(width as usize).map(<[_]>::to_vec).collect();
+        let [left, right]: [Vec<_>; 2] = [rows(self), rows(other)];
+        let rgb = left.into_iter().zip(right).flat_map(|(left, right)| [left, right].concat());
+        Self { size: [2 * width, height], rgb: rgb.collect() }
     }
 }
 
@@ -203,6 +207,7 @@ mod tests {
             vertices: Vertices::default(),
             texels: None,
             blend: None,
+            normals: None,
             fixed_ms: 0.0,
             reference_ms: 0.0,
         };
@@ -211,6 +216,7 @@ mod tests {
                 arithmetic: comparison,
                 end_to_end: comparison,
                 places: Places::default(),
+                display: None,
             },
             wrong: vec![Wrong { pixel: [7, 0], fault: Fault::Hole, line: Some(1), triangle: None }],
             fixed: FixedPicture { size: [WIDTH as u32, 1], pixels },

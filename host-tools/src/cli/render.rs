@@ -8,7 +8,9 @@ use clap::{
     builder::{PathBufValueParser, TypedValueParser as _},
 };
 use host_tools::{
-    check::{self, BACKGROUND, FixedPicture, Fog, Shading, View, ViewError},
+    check::{
+        self, BACKGROUND, Colors, Display, FixedPicture, Fog, Matrix, Shading, View, ViewError,
+    },
     model::Model,
 };
 
@@ -25,8 +27,10 @@ Examples:
   host-tools render model.obj
   host-tools render model.obj -o logo.png --size 240x240 --yaw 45 --pitch 30
   host-tools render model.obj --shading flat --rgb565
+  host-tools render model.obj --colors binary --dither 8 --size 128x64
   host-tools render model.obj --filter bilinear --texture-size 64x64
   host-tools render model.obj --blend add --opacity 0.3
+  host-tools render model.obj --shading phong --light=-1,2,3,0.6 --lamp 1,0,1,0.5
   host-tools render model.obj --fog linear:2:4       The background hides what is far away
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
@@ -46,8 +50,8 @@ pub(super) struct Arguments {
     /// The background's colour in hexadecimal [default: a dark grey-blue]
     #[arg(long, value_name = "RRGGBB", value_parser = color)]
     background: Option<Color>,
-    /// Show the colours of an RGB565 display
-    #[arg(long)]
+    /// The same as --colors rgb565
+    #[arg(long, conflicts_with = "colors")]
     rgb565: bool,
     #[command(flatten)]
     view: ViewOptions,
@@ -85,11 +89,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         output::allow(&path, output::PNG, overwriting)?;
     }
     let background = arguments.background.map_or(BACKGROUND, |Color(color)| color);
+    arguments.view.check()?;
     let view = arguments.view.view(Shading::of(&model));
     // Fog hides what it covers.
     let fog = view.fog.map(|fog| Fog { color: background, ..fog });
     let view = View { background, fog, ..view };
     let frames = arguments.view.frames;
+    let rgb565 = Display { colors: Colors::Rgb565, dither: Matrix::None };
+    let display = view.display.or(arguments.rgb565.then_some(rgb565));
 
     let mut is_empty = true;
     let bytes = {
@@ -99,7 +106,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             is_empty &= picture.pixels.iter().all(|pixel| pixel.depth == 0);
             let image = image::of_fixed(&picture, background);
             progress.step();
-            Ok(if arguments.rgb565 { image.as_rgb565() } else { image })
+            Ok(display.map_or_else(|| image.clone(), |display| image.shown_by(display)))
         });
         png::animation(view.size, u16::try_from(frames)?, images)?
     };

@@ -61,6 +61,7 @@ fn show(path: &Path, force: bool) -> Result<Shown> {
         fixed: file("-fixed.png"),
         reference: file("-reference.png"),
         difference: file("-difference.png"),
+        display: None,
     };
     let inputs = output::inputs(&model);
     let overwriting = Overwriting { force, inputs: &inputs };
@@ -69,7 +70,7 @@ fn show(path: &Path, force: bool) -> Result<Shown> {
     convert::allow(&tables, overwriting)?;
     convert::write(&model, &tables)?;
     output::write(&rendered, &png::still(&picture)?)?;
-    let legend = write_pictures(&worst.checked, &pictures)?;
+    let legend = write_pictures(&worst.checked, &pictures, view.display)?;
 
     let report = &model.report;
     let outcome = worst.checked.outcome;

@@ -12,7 +12,7 @@ use super::image::Legend;
 /// Both comparisons side by side, with the bounds and whether they are kept.
 pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     type Figure = fn(&Comparison) -> String;
-    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let Outcome { arithmetic, end_to_end, places, display } = outcome;
     let found = &arithmetic.deviation;
     let coverage = bound(found.coverage_mismatches as f64, bounds.coverage_mismatches as f64);
     let depth = bound(found.depth_max_ulp, bounds.depth_max_ulp);
@@ -80,10 +80,28 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
         let most = format!("{:.4}", blend.blend_max_error);
         text += &line("Blended colour error, of 255", [&most, &verdict, "", ""]);
     }
+    if let Some(normals) = arithmetic.normals {
+        let verdict = if normals.are_within() { "ok" } else { "FAIL" };
+        let bound = format!("{} {verdict}", normals.normal_bound_degrees);
+        let most = format!("{:.4}", normals.normal_max_error_degrees);
+        text += &line("Normal error at most, degrees", [&most, &bound, "", ""]);
+    }
     let judged = thousands(places.judged);
     text += &line("Pixels judged by their place", ["", "", &judged, ""]);
     let wrong = bound(places.wrong as f64, 0.0);
     text += &line("Wrong pixels among these", ["", "", &thousands(places.wrong), &wrong]);
+    if let Some(display) = display {
+        let steps = bound(display.wrong_steps as f64, 0.0);
+        let colors = bound(display.wrong_colors as f64, 0.0);
+        let wrong = [display.wrong_steps, display.wrong_colors].map(thousands);
+        text += &line("Wrong steps of the display", [&wrong[0], &steps, "", ""]);
+        text += &line("Wrong colours of the display", [&wrong[1], &colors, "", ""]);
+        if let Some(most) = display.block_bound.filter(|_| display.even_blocks > 0) {
+            let error = format!("{:.5}", display.block_max_error);
+            let bound = bound(display.block_max_error, most);
+            text += &line("Mean of even 8x8 squares, of 1", [&error, &bound, "", ""]);
+        }
+    }
     text
 }
 
@@ -94,7 +112,7 @@ fn bound(found: f64, bound: f64) -> String {
 
 /// The comparisons in words.
 pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> String {
-    let Outcome { arithmetic, end_to_end, places } = outcome;
+    let Outcome { arithmetic, end_to_end, places, display } = outcome;
     let mut text = if arithmetic.is_within(bounds) {
         "Arithmetic: within bounds. The core draws its own vertices as exact arithmetic does."
             .to_owned()
@@ -137,6 +155,14 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
         let reason: &str = blend.blend_bound.into();
         text += &format!("\n  The bound of a blended colour: {reason}.");
     }
+    if let Some(normals) = arithmetic.normals {
+        if let Some([x, y]) = normals.normal_worst.filter(|_| !normals.are_within()) {
+            let degrees = normals.normal_max_error_degrees;
+            text += &format!("\n  Column {x} of row {y}: its normal is {degrees:.3} degrees off.");
+        }
+        text += "\n  The bound of a normal: half a degree, where it is at least half as long as \
+                 those of the corners. The colour is judged by the pixel's own normal.";
+    }
     let Deviation { pixels, coverage_mismatches, .. } = end_to_end.deviation;
     let share = 100.0 * coverage_mismatches as f64 / pixels.max(1) as f64;
     text += &format!(
@@ -153,6 +179,12 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
     if let Some(worst) = end_to_end.vertices.out_of_bounds() {
         text += vertex(worst, " in the file").trim_start_matches('\n');
         text += "\n";
+    }
+    if let Some([x, y]) = display.and_then(|display| display.first) {
+        text += &format!(
+            "The display: OUT OF BOUNDS. The first pixel with a wrong step is column {x} of row {y}. \
+             Please report it with the model.\n"
+        );
     }
     if let Some(first) = places.first {
         text += &format!("  {} wrong pixels. {}\n", thousands(places.wrong), place(model, first));
@@ -218,6 +250,7 @@ mod tests {
             vertices: vertices(0.001),
             texels: None,
             blend: None,
+            normals: None,
             fixed_ms: 1.0,
             reference_ms: 2.0,
         };
@@ -228,6 +261,7 @@ mod tests {
                 ..comparison
             },
             places: Places { judged: 54_321, wrong: 0, first: None },
+            display: None,
         }
     }
 

@@ -6,8 +6,8 @@ use clap::{
 };
 use host_tools::{
     check::{
-        BACKGROUND, Blending, Correction, DepthFormat, Filter, Fog, FogBy, Projection, Shading,
-        Subpixel, View,
+        BACKGROUND, Blending, Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Lamp,
+        MOST_LIGHTS, Matrix, Projection, Shading, Subpixel, Sun, View, ViewLights,
     },
     model::{Model, Options},
     reference,
@@ -82,6 +82,12 @@ pub(super) struct ViewOptions {
         allow_negative_numbers = true
     )]
     opacity: f64,
+    /// The colours of the display, which shows the nearest of them
+    #[arg(long, value_name = "FORMAT", value_parser = choice(&Colors::NAMES))]
+    colors: Option<Colors>,
+    /// Dither to them instead, by a matrix of this many rows
+    #[arg(long, value_name = "ROWS", requires = "colors", value_parser = choice(&Matrix::NAMES))]
+    dither: Option<Matrix>,
     /// Fog by the distance from the camera's plane: none up to START and all from END on, or e to
     /// the -DENSITY a unit
     #[arg(long, value_name = "linear:START:END|exp:DENSITY", value_parser = fog)]
@@ -167,6 +173,19 @@ pub(super) struct ViewOptions {
         allow_negative_numbers = true
     )]
     roll: f64,
+    /// A distant light: the direction towards it, and its level [default: 0.8]; up to 4 of them, in
+    /// place of one over the left shoulder
+    #[arg(
+        long,
+        value_name = "X,Y,Z[,LEVEL]",
+        value_parser = sun,
+        allow_hyphen_values = true
+    )]
+    light: Vec<Sun>,
+    /// A light at a point, where the camera looks at the origin from the z axis, and the distance
+    /// at which its level is half; up to 4 of them
+    #[arg(long, value_name = "X,Y,Z,HALF", value_parser = lamp, allow_hyphen_values = true)]
+    lamp: Vec<Lamp>,
     #[command(flatten)]
     smoothing: Smoothing,
     /// Turn over faces that run against their neighbours, and closed parts that are inside out
@@ -208,8 +227,33 @@ impl ViewOptions {
             blending: self.blend,
             background: BACKGROUND,
             opacity: self.opacity,
+            display: self
+                .colors
+                .map(|colors| Display { colors, dither: self.dither.unwrap_or_default() }),
+            lights: self.lights(),
             fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: BACKGROUND }),
         }
+    }
+
+    /// The lights; more of them than fit are left out, which [`check`](Self::check) refuses.
+    fn lights(&self) -> ViewLights {
+        if self.light.is_empty() && self.lamp.is_empty() {
+            return ViewLights::default();
+        }
+        let nth = |i: usize| self.light.get(i).copied();
+        let nth_lamp = |i: usize| self.lamp.get(i).copied();
+        ViewLights { suns: std::array::from_fn(nth), lamps: std::array::from_fn(nth_lamp) }
+    }
+
+    /// Refuses more lights than a view has.
+    pub(super) fn check(&self) -> anyhow::Result<()> {
+        for (option, count) in [("--light", self.light.len()), ("--lamp", self.lamp.len())] {
+            anyhow::ensure!(
+                count <= MOST_LIGHTS,
+                "{option} is given {count} times: a view has {MOST_LIGHTS} at most"
+            );
+        }
+        Ok(())
     }
 
     /// The conversion of the model for it.
@@ -233,6 +277,12 @@ pub(super) struct Settings {
     filter: &'static str,
     blend: &'static str,
     opacity: f64,
+    lights: Vec<[f64; 4]>,
+    lamps: Vec<[f64; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    colors: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dither: Option<u32>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fog: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -267,6 +317,14 @@ impl Settings {
             filter: name(&Filter::NAMES, view.filter),
             blend: name(&Blending::NAMES, view.blending),
             opacity: view.opacity,
+            colors: view.display.map(|display| name(&Colors::NAMES, display.colors)),
+            dither: view.display.and_then(|display| display.dither.rows()),
+            lights: (view.lights.suns.iter().flatten())
+                .map(|&Sun { toward: [x, y, z], level }| [x, y, z, level])
+                .collect(),
+            lamps: (view.lights.lamps.iter().flatten())
+                .map(|&Lamp { position: [x, y, z], half }| [x, y, z, half])
+                .collect(),
             fog: view.fog.map(|fog| law(fog.law)),
             fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             distance: view.distance,
@@ -298,8 +356,12 @@ impl Settings {
             (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
             _ => String::new(),
         };
+        let dither =
+            self.dither.map_or_else(String::new, |rows| format!(" dithered {rows}x{rows}"));
+        let colors =
+            self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -329,6 +391,41 @@ pub(super) fn within(
         let number = text.parse().ok().filter(|n| (least..=most).contains(n));
         number.ok_or_else(|| format!("it must be a number from {least} to {most}"))
     }
+}
+
+/// Numbers with commas between them.
+fn numbers(text: &str) -> Option<Vec<f64>> {
+    let number = |word: &str| word.trim().parse().ok().filter(|n: &f64| n.abs() <= 32_000.0);
+    text.split(',').map(number).collect()
+}
+
+/// A direction and a level, as in -1,2,3,0.5.
+fn sun(text: &str) -> Result<Sun, String> {
+    let found = match numbers(text).as_deref() {
+        Some(&[x, y, z]) => Some(Sun { toward: [x, y, z], level: 0.8 }),
+        Some(&[x, y, z, level]) => Some(Sun { toward: [x, y, z], level }),
+        _ => None,
+    };
+    // A step of the core's numbers.
+    let is_direction = |sun: &Sun| sun.toward.iter().any(|c| c.abs() >= 1.0 / 65_536.0);
+    found.filter(|sun| is_direction(sun) && (0.0..=1.0).contains(&sun.level)).ok_or_else(|| {
+        "write a direction x,y,z that is not zero, of numbers up to 32000, and a level from 0 to \
+         1, as in -1,2,3,0.5"
+            .to_owned()
+    })
+}
+
+/// A place and a distance, as in 1,2,0.5,1.5.
+fn lamp(text: &str) -> Result<Lamp, String> {
+    let found = match numbers(text).as_deref() {
+        Some(&[x, y, z, half]) => Some(Lamp { position: [x, y, z], half }),
+        _ => None,
+    };
+    found.filter(|lamp| lamp.half >= 1.0 / 65_536.0).ok_or_else(|| {
+        "write a place x,y,z and the distance at which the level is half, over 0, of numbers up to \
+         32000, as in 1,2,0.5,1.5"
+            .to_owned()
+    })
 }
 
 /// A law of fog, as in linear:2:10 or exp:0.3.
@@ -392,7 +489,7 @@ mod tests {
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
                     every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
-                    --crease 10 --frames 5";
+                    --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --colors gray2 --dither 4";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
             size: [7, 9],
@@ -411,6 +508,16 @@ mod tests {
             blending: Blending::By(Blend::Screen),
             background: BACKGROUND,
             opacity: 0.25,
+            display: Some(Display { colors: Colors::Gray2, dither: Matrix::Four }),
+            lights: ViewLights {
+                suns: [
+                    Some(Sun { toward: [-1.0, 2.0, 3.0], level: 0.8 }),
+                    Some(Sun { toward: [0.0, -1.0, 0.5], level: 0.25 }),
+                    None,
+                    None,
+                ],
+                lamps: [Some(Lamp { position: [-1.0, 0.0, 2.0], half: 1.5 }), None, None, None],
+            },
             fog: Some(Fog {
                 law: reference::Fog::Linear { start: 1.5, end: 9.0 },
                 by: FogBy::Vertex,
@@ -437,11 +544,15 @@ mod tests {
             ("--frames", &["0", "-3", "361", "1.5", "99999999999999"]),
             ("--depth", &["u8", "", "U16"]),
             ("--subpixel", &["5", ""]),
-            ("--shading", &["phong"]),
+            ("--shading", &["toon"]),
+            ("--light", &["0,0,0", "1,2", "1,2,3,4", "1,2,3,0.5,6", "nan,0,1", "", "1e9,0,0"]),
+            ("--lamp", &["1,2,3", "1,2,3,0", "1,2,3,-1", "1,2,inf,1", ""]),
             ("--perspective", &["every-5", "every", ""]),
             ("--filter", &["linear", "Nearest"]),
             ("--blend", &["alpha", ""]),
             ("--opacity", &["1.1", "-0.5", "NaN"]),
+            ("--colors", &["rgb", "", "1"]),
+            ("--dither", &["2", "", "bayer"]),
             (
                 "--fog",
                 &[
@@ -464,5 +575,6 @@ mod tests {
             }
         }
         assert!(parse(&["--fov=30", "--orthographic=2"]).is_err());
+        assert!(parse(&["--dither=8"]).is_err(), "colours to dither to are missing");
     }
 }

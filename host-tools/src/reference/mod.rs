@@ -58,6 +58,7 @@
 //! | mip levels | `mipmaps.rs` | Williams, "Pyramidal parametrics", SIGGRAPH 1983 |
 //! | stored depth | `depth.rs` | IEEE 754, without a sign |
 //! | layers over a background | `blend.rs` | W3C, Compositing and Blending Level 1 |
+//! | colours of a display, dithering | `display.rs` | Bayer, "An optimum method for two-level rendition of continuous-tone pictures", ICC 1973; IEC 61966-2-1 |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
@@ -67,6 +68,7 @@ mod chord;
 mod clip;
 mod coverage;
 mod depth;
+mod display;
 mod fog;
 mod footprint;
 mod interpolate;
@@ -91,6 +93,7 @@ pub use blend::{Blend, Layer};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
 pub use depth::DepthFormat;
+pub use display::{Display, Steps, luma};
 pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
 pub use light::Light;

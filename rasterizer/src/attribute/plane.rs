@@ -208,6 +208,11 @@ impl<S: Subpixel> TriangleSetup<S> {
         Plane { anchor: in_q32(anchor), per_column: in_q32(x), per_row: in_q32(y) }
     }
 
+    /// The rows from the anchor to the last covered one, at most.
+    pub(super) const fn last_row(&self) -> i32 {
+        (self.dy[1] >> S::BITS) + 1
+    }
+
     /// The columns and rows from the anchor to any covered pixel, together, at most.
     pub(super) fn reach(&self) -> u32 {
         let most = |[d1, d2]: [i32; 2]| d1.unsigned_abs().max(d2.unsigned_abs());

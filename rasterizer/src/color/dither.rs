@@ -59,6 +59,15 @@ impl FullColor for Gray8 {
 /// than half of one of 256 steps; in [`Rgb332`] by 1/130, and in its blue by 1/25.
 ///
 /// Colours of eight bits a channel are converted, in all places alike.
+///
+/// A pixel of Gouraud shading with depth, which takes 16 to 18 instructions on a Cortex-M0+ and 13
+/// on an M4, takes this many more (by the loop of two pixels):
+///
+/// | to | from | Cortex-M0+ | Cortex-M4 |
+/// |---|---|---|---|
+/// | `BinaryColor` | `Gray8` | 14 to 28 | 7 to 17 |
+/// | `Gray2`, `Gray4` | `Gray8` | 26 to 28 | 16 to 20 |
+/// | `Rgb332`, `Rgb565` | `Rgb888` | 54 | 33 |
 #[diagnostic::on_unimplemented(
     message = "nothing can be dithered to `{Self}`",
     note = "implement `rasterizer::color::Dither` for it, with `Bayer::threshold`"

@@ -9,12 +9,14 @@ use super::{Finish, Material, Tables};
 pub struct MeshMaterial<'a> {
     tables: &'a Tables<'a>,
     index: usize,
+    /// In place of the table's.
+    color: Option<Rgb888>,
 }
 
 impl<'a> MeshMaterial<'a> {
     #[inline(always)]
     pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { tables, index }
+        Self { tables, index, color: None }
     }
 
     /// Its place in the table, from 0.
@@ -27,7 +29,15 @@ impl<'a> MeshMaterial<'a> {
     #[inline(always)]
     #[must_use]
     pub fn rgb(&self) -> Rgb888 {
-        self.tables.materials.get(self.index).map(Material::rgb).unwrap_or_default()
+        let of_table =
+            || self.tables.materials.get(self.index).map(Material::rgb).unwrap_or_default();
+        self.color.unwrap_or_else(of_table)
+    }
+
+    /// The same material in another colour.
+    #[must_use]
+    pub const fn recolored(self, color: Rgb888) -> Self {
+        Self { color: Some(color), ..self }
     }
 
     /// Its highlights, its own light and its opacity: [`Finish::MATTE`] if the mesh has none.

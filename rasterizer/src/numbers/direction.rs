@@ -42,9 +42,11 @@ pub(crate) const fn dot_q15([a, b, c]: &[i32; 3], [d, e, f]: &[i32; 3]) -> i32 {
 
 #[inline(always)]
 const fn square([x, y, z]: [i32; 3]) -> u32 {
+    const fn squared(c: i32) -> u32 {
+        c.cast_unsigned().wrapping_mul(c.cast_unsigned())
+    }
     // Below 2^32, as the length is below 2^16.
-    let sum = x.wrapping_mul(x).wrapping_add(y.wrapping_mul(y)).wrapping_add(z.wrapping_mul(z));
-    sum.cast_unsigned()
+    squared(x).wrapping_add(squared(y)).wrapping_add(squared(z))
 }
 
 /// A square shifted by an even number of bits to 2^30 or more, and half that number.

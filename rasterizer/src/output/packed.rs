@@ -34,8 +34,8 @@ use crate::{
 /// last byte.
 ///
 /// A pixel takes more instructions than one of a byte or more, because its byte is read, changed
-/// and stored again. Runs of one colour without depth are filled by words, where pixels lie in
-/// rows.
+/// and stored again: on a Cortex-M0+ 16 more in pages and 26 to 33 more in rows, on an M4 15 and 18
+/// to 22. Runs of one colour without depth are filled by words, where pixels lie in rows.
 ///
 /// ```
 /// use embedded_graphics_core::{pixelcolor::Gray2, prelude::*, primitives::Rectangle};

@@ -53,26 +53,25 @@ fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
     colors: &mut [C],
     cells: &mut [D],
     span: &Span<'_, D, V>,
-    mut place: Place,
+    place: Place,
     pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
 ) {
-    let (Some(mut colors), Some(mut cells)) =
-        (colors.get_mut(span.start..span.end), cells.get_mut(span.start..span.end))
-    else {
-        return;
-    };
-    let mut depth = span.depth;
+    // Of one length, they share the tests of a piece's ends.
+    let pixels = span.end.wrapping_sub(span.start);
+    let Some(colors) = colors.get_mut(span.start..span.end) else { return };
+    let Some(cells) = cells.get_mut(span.start..span.end) else { return };
     let at = [span.start as i32, span.row];
-    V::for_each_piece(span.varyings, at, span.end - span.start, |piece| {
-        let Piece { pixels, .. } = piece;
-        if let (Some(colors), Some(cells)) =
-            (colors.split_off_mut(..pixels), cells.split_off_mut(..pixels))
+    let (mut start, mut depth) = (0, span.depth);
+    V::for_each_piece(span.varyings, at, pixels, |piece| {
+        let end = start + piece.pixels;
+        if let (Some(colors), Some(cells)) = (colors.get_mut(start..end), cells.get_mut(start..end))
         {
             let run = Run::<D, V>::of(depth, span.depth_step, piece);
-            run.draw_pairs(colors, cells, place, pixel);
+            let Place { column, row } = place.right(start);
+            run.draw_long(colors, cells, column, row, pixel);
         }
-        place = place.right(pixels);
-        depth = depth.wrapping_add(span.depth_step.wrapping_mul(pixels as i32));
+        start = end;
+        depth = depth.wrapping_add(span.depth_step.wrapping_mul(piece.pixels as i32));
     });
 }
 

@@ -143,7 +143,13 @@ impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'
 
     #[inline(always)]
     pub(super) fn vertex(vertex: &MeshVertex<'_>) -> Varying<S, F, M, C> {
-        let coordinates = <S::Texture as TexelMap>::Coordinates::<C>::from(C::of(vertex));
+        Self::at(C::of(vertex))
+    }
+
+    /// The varying of these coordinates.
+    #[inline(always)]
+    pub(super) fn at(coordinates: [C; 2]) -> Varying<S, F, M, C> {
+        let coordinates = <S::Texture as TexelMap>::Coordinates::<C>::from(coordinates);
         PerspectiveCorrect::new(coordinates.into())
     }
 

@@ -298,6 +298,20 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Place<W, H, X, Y> {
         }
     }
 
+    /// This place and an offset in Q8.24, modulo a repeat where packed and 256 repeats elsewhere.
+    #[inline(always)]
+    pub(super) const fn moved(self, [u, v]: [i32; 2]) -> Self {
+        let [a, b] = self.words;
+        if Self::IS_PACKED {
+            let by = Self::new([u, v]).words[0];
+            // u must not carry into v.
+            let sum = a.wrapping_add(by & 0xFFFF_0000);
+            Self::of([sum & 0xFFFF_0000 | sum.wrapping_add(by) & 0xFFFF, 0])
+        } else {
+            Self::of([a.wrapping_add(u as u32), b.wrapping_add(v as u32)])
+        }
+    }
+
     /// The fractions of v, in the upper half, and of u in Q0.16, if they are packed.
     #[inline(always)]
     pub(super) const fn packed(self) -> u32 {

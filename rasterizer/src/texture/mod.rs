@@ -35,6 +35,8 @@
 //! half-way between two centres, on the border of both texels, [`Nearest`] takes the right or lower
 //! one and [`Bilinear`] the mean.
 //!
+//! [`Offset`] moves a texture by an offset that is known at run time.
+//!
 //! # Colours
 //!
 //! Texels are mixed and lit in the values that are stored, without a gamma curve. Mip levels should
@@ -52,6 +54,7 @@ mod layer;
 mod masked;
 mod mipmaps;
 mod mix;
+mod offset;
 mod shaded;
 mod slices;
 mod texel;
@@ -75,6 +78,7 @@ pub use layer::Layer;
 pub use masked::{Keyed, Masked};
 pub use mipmaps::{Levels, Mipmapped, Mipmaps};
 pub use mix::Mix;
+pub use offset::Offset;
 pub use shaded::{SHADES, Shaded};
 pub use slices::{ColorSlice, IndexedSlice, MaskedSlice, ShadedSlice};
 pub use texel::{Outcome, Texel};

@@ -208,7 +208,7 @@ impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
     }
 
     /// Adds frames by `add`, and prints a line.
-    fn measure<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, M: scene::Mode>(
+    fn measure<S: Subpixel, D: Depth, Sh: Shader, M: scene::Mode>(
         &mut self,
         [scene, precision, mode]: [&str; 3],
         object: &Object<'_, Sh, M>,

@@ -3,15 +3,19 @@
 use core::{
     convert::Infallible,
     fmt::{self, Debug, Display},
+    marker::PhantomData,
 };
 
-use embedded_graphics_core::{geometry::Size, primitives::Rectangle};
+use embedded_graphics_core::{geometry::Size, pixelcolor::BinaryColor, primitives::Rectangle};
 use rasterizer::{
     attribute::{FloatDepth, NoDepth},
     camera::{Camera, Perspective},
+    color::Rgb332,
     geometry::ScreenVertex,
     numbers::Subpixel,
-    output::{BandAreas, Blending, Frame, FrameDepth, Rgb565Be},
+    output::{
+        BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target,
+    },
     scene::{Mode, Object, Order, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
@@ -101,7 +105,119 @@ impl<D: Depth, B> OnTargets<D> for B where
 {
 }
 
+/// A frame of a colour other than [`Rgb565Be`], with depth, in the memory of a scene.
+pub trait InMemory {
+    /// The colour of its pixels.
+    type Color: Copy;
+    /// The frame.
+    type Frame<'m>: Target<Color = Self::Color, Depth = u16, Error = Infallible>;
+
+    /// A frame in memory that is large enough.
+    fn frame<'m>(
+        color: &'m mut [Rgb565Be],
+        depth: &'m mut [u16],
+        area: Rectangle,
+    ) -> Self::Frame<'m>;
+
+    /// Clears its depth.
+    fn clear_depth(frame: &mut Self::Frame<'_>);
+}
+
+/// A byte a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct OfBytes;
+
+impl InMemory for OfBytes {
+    type Color = Rgb332;
+    type Frame<'m> = Frame<'m, Rgb332, &'m mut [u16]>;
+
+    fn frame<'m>(
+        color: &'m mut [Rgb565Be],
+        depth: &'m mut [u16],
+        area: Rectangle,
+    ) -> Self::Frame<'m> {
+        let pixels = depth.len();
+        let colors = &mut bytemuck::must_cast_slice_mut(color)[..pixels];
+        Frame::new(colors, depth, area).unwrap_or_else(fail)
+    }
+
+    fn clear_depth(frame: &mut Self::Frame<'_>) {
+        frame.clear_depth();
+    }
+}
+
+/// Pixels of one, two or four bits, side by side.
+#[derive(Clone, Copy, Debug)]
+pub struct OfRows<C>(PhantomData<C>);
+
+impl<C: PackedColor + 'static> InMemory for OfRows<C> {
+    type Color = C;
+    type Frame<'m> = PackedFrame<'m, C, &'m mut [u16]>;
+
+    fn frame<'m>(
+        color: &'m mut [Rgb565Be],
+        depth: &'m mut [u16],
+        area: Rectangle,
+    ) -> Self::Frame<'m> {
+        let needed = PackedFrame::<C>::bytes(area.size);
+        let bytes = &mut bytemuck::must_cast_slice_mut(color)[..needed];
+        PackedFrame::new(bytes, depth, area).unwrap_or_else(fail)
+    }
+
+    fn clear_depth(frame: &mut Self::Frame<'_>) {
+        frame.clear_depth();
+    }
+}
+
+/// Pixels of one bit, one above the other.
+#[derive(Clone, Copy, Debug)]
+pub struct OfPages;
+
+impl InMemory for OfPages {
+    type Color = BinaryColor;
+    type Frame<'m> = PackedFrame<'m, BinaryColor, &'m mut [u16], InPages>;
+
+    fn frame<'m>(
+        color: &'m mut [Rgb565Be],
+        depth: &'m mut [u16],
+        area: Rectangle,
+    ) -> Self::Frame<'m> {
+        let needed = PackedFrame::<BinaryColor, NoDepth, InPages>::bytes(area.size);
+        let bytes = &mut bytemuck::must_cast_slice_mut(color)[..needed];
+        PackedFrame::in_pages(bytes, depth, area).unwrap_or_else(fail)
+    }
+
+    fn clear_depth(frame: &mut Self::Frame<'_>) {
+        frame.clear_depth();
+    }
+}
+
 impl<const SET_UP: bool> Cost<SET_UP> {
+    /// Adds a whole frame of a colour other than [`Rgb565Be`].
+    pub fn add_frame<
+        F: InMemory,
+        S: Subpixel,
+        Sh: Shader<Color = F::Color>,
+        const PIXELS: usize,
+    >(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        vertices: &mut [ScreenVertex<S, u16, OnScreen<Sh>>],
+        memory: &mut Memory<PIXELS>,
+    ) {
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        let area = camera.viewport();
+        let pixels = (area.size.width * area.size.height) as usize;
+        let mut frame = F::frame(&mut memory.color, &mut memory.depth[..pixels], area);
+        timed(Stage::Clear, &mut self.clear, || F::clear_depth(&mut frame));
+        let Ok(()) = timed(Stage::Draw, &mut self.draw, || seen.draw(&mut frame));
+        drop(frame);
+        self.pixels_drawn += memory.depth.iter().filter(|&&depth| depth != 0).count() as u64;
+    }
+
     /// Adds a frame in bands of `rows` rows, the vertices in storage.
     pub fn add<S: Subpixel, D: Depth, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
         &mut self,

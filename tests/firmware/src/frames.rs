@@ -1,5 +1,7 @@
 //! Frames and their hashes.
 
+mod colors;
+
 use core::convert::Infallible;
 
 use embedded_graphics_core::{
@@ -13,8 +15,9 @@ use rasterizer::{
     attribute::{EveryPixel, FloatDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
     color::Alpha,
+    fixed::types::I8F24,
     geometry::{CullNone, Pose, Projection, ScreenVertex},
-    mesh::MeshVertex,
+    mesh::{Mesh, MeshVertex},
     numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     output::{
         Add, Bands, Blending, Frame, KeepDepth, Multiply, Over, Replace, Rgb565Be, Screen,
@@ -22,9 +25,10 @@ use rasterizer::{
     },
     scene::{Mode, Object, bin_words},
     shade::{
-        Faded, Flat, Gouraud, Light, OnScreen, Shader, Textured, TexturedFlat, TexturedGouraud,
+        AtVertices, Colored, ColoredGouraud, Density, Faded, Flat, Fog, Fogged, Gouraud, Light,
+        Matcap, OnScreen, Shader, Textured, TexturedFlat, TexturedGouraud,
     },
-    texture::{Bilinear, PerPixel, Trilinear},
+    texture::{Bilinear, Offset, PerPixel, Trilinear},
 };
 
 use crate::{bench::sun, console, cost::fail, memory::Memory, models};
@@ -78,6 +82,8 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     flat(memory, light);
     floating_depth(&knot, memory);
     textured(memory, light);
+    colors::dithered(memory, light);
+    fog(memory, light);
     blended(memory, light);
 }
 
@@ -144,6 +150,55 @@ fn textured(memory: &mut Memory<PIXELS>, light: Light) {
     textured_with::<S4, _>("trilinear S4", trilinear, memory);
     textured_with::<S4, _>("flat S4", TexturedFlat::new(&DIRECT, light), memory);
     textured_with::<S8, _>("gouraud S8", TexturedGouraud::new(&DIRECT, light), memory);
+}
+
+/// Fog over light and over textures, colours of vertices, a matcap, and a texture that is moved.
+fn fog(memory: &mut Memory<PIXELS>, light: Light) {
+    use models::{COLORED_SPHERE, CUBE_TEXTURE, CUBE_TEXTURE_TEXTURES as SIDES};
+    let gouraud = Fogged::new(Gouraud::new(light), &MIST, FOG);
+    shaded_with::<S4, _>("torus_knot", &models::TORUS_KNOT, "fog S4", gouraud, memory);
+    let by_vertex = gouraud.computed(AtVertices);
+    shaded_with::<S8, _>("torus_knot", &models::TORUS_KNOT, "fog by vertex S8", by_vertex, memory);
+    let textured = Fogged::new(Textured::new(&SIDES), &HAZE, FOG);
+    shaded_with::<S8, _>("cube", &CUBE_TEXTURE, "texture in fog S8", textured, memory);
+    let textured = textured.computed(AtVertices);
+    shaded_with::<S4, _>("cube", &CUBE_TEXTURE, "texture in fog by vertex S4", textured, memory);
+    shaded_with::<S4, _>("cube", &models::CUBE, "flat in fog S4", flat_in_fog(light), memory);
+    shaded_with::<S4, _>("sphere", &COLORED_SPHERE, "vertex colors S4", Colored::new(), memory);
+    let lit = ColoredGouraud::new(light).corrected(EveryPixel);
+    shaded_with::<S8, _>("sphere", &COLORED_SPHERE, "vertex colors lit S8", lit, memory);
+    let matcap = Matcap::new(&SIDES).filtered(Bilinear);
+    shaded_with::<S4, _>("sphere", &models::SPHERE, "matcap S4", matcap, memory);
+    let [side] = SIDES;
+    let moved = [Offset::new(side, [I8F24::lit("0.3"), I8F24::lit("-0.7")])];
+    shaded_with::<S4, _>("cube", &CUBE_TEXTURE, "texture moved S4", Textured::new(&moved), memory);
+}
+
+const fn flat_in_fog(light: Light) -> Fogged<'static, Flat<Rgb565Be>> {
+    Fogged::new(Flat::new(light), &MIST, FOG)
+}
+
+static MIST: Fog = Fog::linear(Distance::lit("0.3"), Distance::lit("4")).unwrap();
+static HAZE: Fog = Fog::exponential(Density::lit("0.35"));
+const FOG: Rgb565Be = Rgb565Be::new(20, 44, 26);
+
+/// The same four views of any model.
+fn shaded_with<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+    model: &str,
+    mesh: &Mesh<'_>,
+    name: &str,
+    shader: Sh,
+    memory: &mut Memory<PIXELS>,
+) {
+    let pose =
+        Pose::rotated(Rotation::about_x(Turn::degrees(25)) * Rotation::about_y(Turn::degrees(35)));
+    let object = Object::new(mesh, shader).posed(pose).culled(CullNone);
+    for (view, distance) in [("far", "5"), ("near", "3"), ("cut", "0.7"), ("inside", "0.05")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let [hash, _] = draw::<_, S, u16, _, _, VERTICES>(&object, &camera, memory);
+        console::line(format_args!("{model} {view} {name} {hash:08x}"));
+    }
 }
 
 /// Far away, filling the picture, with a side through the near plane, and from inside.

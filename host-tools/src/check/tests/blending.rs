@@ -76,7 +76,7 @@ fn every_fault_is_found() {
     let skins = Skins::new(&model, &surface, skins::of_materials(&model));
     let drawn = shading::draw(&model, &surface, &skins, &view).unwrap();
     let layers = drawn.blended.unwrap();
-    let (reference, _) = (drawn.arithmetic)(&drawn.picture);
+    let (reference, ..) = (drawn.arithmetic)(&drawn.picture);
     assert!(layers.judge(&reference, true).is_within(1.0));
     let pixel = layers.first_with_layers(2);
 

@@ -59,6 +59,7 @@ fn checker(model: &Model, texture: Mipmaps) -> Checker<'_> {
 const VIEW: View = View {
     perspective: Correction::EveryPixel,
     filter: Filter::Nearest,
+    display: None,
     fog: None,
     shading: Shading::Textured,
     ..FRONT
@@ -126,6 +127,7 @@ fn a_coordinate_that_is_off_is_found_with_its_pixel() {
             .with_wide_coordinates();
         let drawn = textured::draw(
             (&model, &checker.surface, &checker.skins),
+            |material| &checker.skins.textures[material],
             &view,
             &shader,
             // 1/128 of 64 texels is half a texel.

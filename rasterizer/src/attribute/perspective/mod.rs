@@ -4,10 +4,10 @@
 //! quotient (Blinn, *Hyperbolic Interpolation*, IEEE CG&A 12(4), 1992). The type of the mode says
 //! at which pixels it is divided.
 
-mod division;
 mod every_pixel;
 mod linear;
 mod pace;
+mod quick;
 mod quotient;
 mod steps;
 

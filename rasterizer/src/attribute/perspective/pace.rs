@@ -21,7 +21,7 @@
 use core::fmt::Debug;
 
 use super::{
-    division::Division,
+    quick::QUICK_RANGE,
     quotient::{Corners, Quotient},
 };
 use crate::{
@@ -41,20 +41,24 @@ pub(super) trait Rule {
     /// Whether straight lines from corner to corner are within the tolerance.
     fn is_affine<V: Components>(corners: &Corners<V>) -> bool;
 
+    /// Whether 16 bits are enough for a division.
+    fn is_quick<V: Components>(corners: &Corners<V>) -> bool;
+
     /// The law of a triangle.
     fn law<V: Components>(corners: &Corners<V>, quotient: &Quotient<V>) -> Law<V>;
 
-    /// Whether 16 bits are enough for a division.
-    fn may_be_quick<V: Components>(law: &Law<V>) -> bool;
+    /// The binary logarithm of a step's length in 64ths, where q is 1, this many rows below the
+    /// anchor.
+    fn level<V: Components>(law: &Law<V>, rows: i32) -> i32;
 
-    /// The pixels of a step, 1 to 64, in a span this many rows below the anchor between these
-    /// values of q.
-    fn pixels<V: Components>(
-        law: &Law<V>,
-        division: &Division<V>,
-        rows: i32,
-        ends: [u32; 2],
-    ) -> usize;
+    /// The pixels of the longest step, 1 to 64.
+    fn longest<V: Components>() -> usize;
+
+    /// The pixels of a step whose length has this binary logarithm in 64ths.
+    #[inline(always)]
+    fn pixels<V: Components>(level: i32) -> usize {
+        (power_of_2(level) as usize).clamp(1, Self::longest::<V>())
+    }
 }
 
 /// At every `N`-th pixel of a span and at its last one; straight between them. `N` is 2 to 64.
@@ -73,19 +77,29 @@ impl<const N: usize> Rule for Every<N> {
     }
 
     #[inline(always)]
-    fn law<V: Components>(_: &Corners<V>, _: &Quotient<V>) -> Law<V> {
-        Law { w: V::each([0; 2]), level: 0, is_quick: false }
-    }
-
-    #[inline(always)]
-    fn may_be_quick<V: Components>(_: &Law<V>) -> bool {
+    fn is_quick<V: Components>(_: &Corners<V>) -> bool {
         false
     }
 
     #[inline(always)]
-    fn pixels<V: Components>(_: &Law<V>, _: &Division<V>, _: i32, _: [u32; 2]) -> usize {
+    fn law<V: Components>(_: &Corners<V>, _: &Quotient<V>) -> Law<V> {
+        Law { w: V::each([0; 2]), level: 0 }
+    }
+
+    #[inline(always)]
+    fn level<V: Components>(_: &Law<V>, _: i32) -> i32 {
+        0
+    }
+
+    #[inline(always)]
+    fn longest<V: Components>() -> usize {
         const { assert!(N >= 2 && N <= LONGEST, "N is 2 to 64") }
         N
+    }
+
+    #[inline(always)]
+    fn pixels<V: Components>(_: i32) -> usize {
+        Self::longest::<V>()
     }
 }
 
@@ -103,14 +117,6 @@ impl<const TOLERANCE: u32> Adaptive<TOLERANCE> {
         assert!(TOLERANCE >= 1 && TOLERANCE <= 1 << 14, "the tolerance is 1 to 16,384 sixteenths");
         TOLERANCE
     };
-
-    /// Whether a range of numbers, in sixteenths of a unit, is divided within an eighth of the
-    /// tolerance in 16 bits. The quotient is off by 2^-15 for s, half of that for q, and half of
-    /// 2^-13.2 for the reciprocal: 2^-13.5, in units of twice to four times the range, 2^-11.5 of
-    /// it.
-    const fn is_quick(range: u32) -> bool {
-        range <= Self::LIMIT << 8
-    }
 }
 
 /// What is found out once a triangle.
@@ -120,7 +126,6 @@ pub(super) struct Law<V: Components> {
     w: V::Each<[i32; 2]>,
     /// In 32nds of the binary logarithm of n^2 W / qmin^3.
     level: i32,
-    is_quick: bool,
 }
 
 impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
@@ -138,6 +143,12 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
             }
         }
         !V::READS_INVERSE_W || spread <= least >> 19
+    }
+
+    #[inline(always)]
+    fn is_quick<V: Components>(corners: &Corners<V>) -> bool {
+        // An eighth of the tolerance is left for it.
+        corners.sixteenths().as_ref().iter().all(|&range| range <= QUICK_RANGE * Self::LIMIT)
     }
 
     #[inline(always)]
@@ -173,27 +184,25 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
         let units = 32 * (least_bits as i32 - 4 - (31 - quotient.block.down as i32));
         let slope = log2_above(along.unsigned_abs() + 1);
         let level = 64 + tolerance + units - slope - 32 * (32 - up as i32);
-        let mut is_quick = true;
-        for &sixteenths in corners.sixteenths().as_ref() {
-            is_quick &= Self::is_quick(sixteenths);
+        Law { w, level }
+    }
+
+    #[inline(always)]
+    fn level<V: Components>(law: &Law<V>, rows: i32) -> i32 {
+        let mut widest = 0;
+        for &[w, change] in law.w.as_ref() {
+            // The corner lies within half a row of the anchor.
+            let here = w.wrapping_add(change.wrapping_mul(rows)).unsigned_abs();
+            widest = widest.max(here.wrapping_add(change.unsigned_abs() / 2));
         }
-        Law { w, level, is_quick }
+        // Products and slopes are off by 3 together, their changes by 3 a row.
+        law.level - log2_above(widest.saturating_add(3 + 3 * rows.unsigned_abs()))
     }
 
+    /// Rounding a step by half a digit adds up to an eighth of the tolerance at most.
     #[inline(always)]
-    fn may_be_quick<V: Components>(law: &Law<V>) -> bool {
-        law.is_quick
-    }
-
-    #[inline(always)]
-    fn pixels<V: Components>(
-        law: &Law<V>,
-        division: &Division<V>,
-        rows: i32,
-        [first, last]: [u32; 2],
-    ) -> usize {
-        // Rounding a step by half a digit adds up to an eighth of the tolerance at most.
-        let longest = const {
+    fn longest<V: Components>() -> usize {
+        const {
             let log2 = Self::LIMIT.ilog2() as i32 + V::STEP_DIGITS as i32 - 6;
             if log2 < 0 {
                 1
@@ -202,36 +211,30 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
             } else {
                 1 << log2
             }
-        };
-        let mut widest = 0;
-        for &[w, change] in law.w.as_ref() {
-            // The corner lies within half a row of the anchor.
-            let here = w.wrapping_add(change.wrapping_mul(rows)).unsigned_abs();
-            widest = widest.max(here.wrapping_add(change.unsigned_abs() / 2));
         }
-        // Products and slopes are off by 3 together, their changes by 3 a row.
-        let w = log2_above(widest.saturating_add(3 + 3 * rows.unsigned_abs()));
-        let q = log2_below(first.min(last)) - 32 * division.up as i32;
-        // In 64ths of the binary logarithm of n.
-        let level = law.level + 3 * q - w;
-        let length = LENGTHS.get((level.max(0) >> 3) as usize);
-        length.map_or(LONGEST, |&length| usize::from(length)).min(longest)
     }
 }
 
-/// The whole part of 2^(n / 8).
-const LENGTHS: [u8; 48] = {
-    // 2^(n / 8) in Q20.
-    const EIGHTHS: [u32; 8] =
-        [1_048_576, 1_143_480, 1_246_974, 1_359_835, 1_482_910, 1_617_125, 1_763_488, 1_923_097];
-    let mut lengths = [0; 48];
-    let mut n = 0;
-    while n < 48 {
-        lengths[n] = (EIGHTHS[n % 8] << (n / 8) >> 20) as u8;
+/// 2^(n / 64) in Q8, rounded down, without its whole part.
+const POWERS: [u8; 64] = {
+    // 2^(1 / 64) in Q30, rounded down.
+    const ROOT: u64 = 1_085_434_106;
+    let mut powers = [0; 64];
+    let (mut power, mut n) = (1u64 << 30, 0);
+    while n < 64 {
+        powers[n] = (power >> 22) as u8;
+        power = (power * ROOT) >> 30;
         n += 1;
     }
-    lengths
+    powers
 };
+
+/// The whole part of 2^(level / 64), up to 2^10.
+#[inline(always)]
+pub(super) fn power_of_2(level: i32) -> u32 {
+    let level = level.clamp(0, 10 * 64) as u32;
+    ((256 + u32::from(POWERS[(level & 63) as usize])) << (level >> 6)) >> 8
+}
 
 /// 32 log2(1 + n / 32), rounded down.
 const LOGARITHMS: [u8; 32] = [
@@ -241,7 +244,7 @@ const LOGARITHMS: [u8; 32] = [
 
 /// The binary logarithm of a positive number in 32nds, not above it.
 #[inline(always)]
-const fn log2_below(value: u32) -> i32 {
+pub(super) const fn log2_below(value: u32) -> i32 {
     let (mantissa, zeros) = normalised(value);
     32 * (31 - zeros as i32) + LOGARITHMS[(mantissa >> 26 & 31) as usize] as i32
 }
@@ -266,9 +269,12 @@ mod tests {
     }
 
     #[test]
-    fn lengths_are_powers() {
-        for (n, &length) in LENGTHS.iter().enumerate() {
-            assert_eq!(u32::from(length), (n as f64 / 8.0).exp2() as u32, "{n}");
+    fn powers_are_within_a_256th_below() {
+        for level in 0..=640 {
+            let exact = (f64::from(level) / 64.0).exp2();
+            let got = power_of_2(level);
+            assert!(f64::from(got) <= exact && f64::from(got) > exact * 255.0 / 256.0 - 1.0);
         }
+        assert_eq!((power_of_2(-9), power_of_2(9999)), (1, 1024));
     }
 }

@@ -36,8 +36,8 @@ type Wide = Plane<u64>;
 /// 1 / w and numerators as functions of the pixel.
 #[derive(Clone, Copy, Debug)]
 pub struct Quotient<V: Components> {
-    q: Wide,
-    numerators: V::Each<Wide>,
+    pub(super) q: Wide,
+    pub(super) numerators: V::Each<Wide>,
     pub(super) block: Block<V>,
     to_first: [i32; 2],
     pitch: i32,
@@ -305,5 +305,11 @@ impl<V: Components> Block<V> {
     #[inline(always)]
     pub(super) const fn inverse_w(&self, q: u32) -> u32 {
         (q << 2) >> self.zeros
+    }
+
+    /// A change of near / w from that of q.
+    #[inline(always)]
+    pub(super) const fn step_of_inverse_w(&self, change: i32) -> u32 {
+        ((change << 2) >> self.zeros) as u32
     }
 }

@@ -4,9 +4,9 @@ use core::marker::PhantomData;
 
 use super::{
     Corrected, Correction, Pace, Quotient,
-    division::Division,
-    pace::Law,
-    quotient::{AtPixel, Corners},
+    pace::{Law, log2_below},
+    quick::{QuickPieces, QuickQuotient},
+    quotient::{AtPixel, Block, Corners},
 };
 use crate::{
     attribute::{
@@ -45,6 +45,8 @@ pub enum SteppedField<V: Components> {
     /// Divided, by the law of the steps' lengths.
     #[expect(private_interfaces, reason = "only its steps know it")]
     Divided(Quotient<V>, Law<V>),
+    /// Divided in 16 bits.
+    Quick(QuickQuotient<V>),
 }
 
 impl<V: Components> Field for SteppedField<V> {
@@ -55,6 +57,7 @@ impl<V: Components> Field for SteppedField<V> {
                 Self::Affine(field.over_addresses(to_first, pitch), inverse_w)
             }
             Self::Divided(field, law) => Self::Divided(field.over_addresses(to_first, pitch), law),
+            Self::Quick(field) => Self::Quick(field.over_addresses(to_first, pitch)),
         }
     }
 }
@@ -80,7 +83,8 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         let bits = corners.bits();
         let quotient = Quotient::new(setup, quick, &corners, bits);
         let law = P::law(&corners, &quotient);
-        SteppedField::Divided(quotient, law)
+        QuickQuotient::new::<P>(&corners, &quotient, &law, setup.last_row())
+            .map_or(SteppedField::Divided(quotient, law), SteppedField::Quick)
     }
 
     #[inline(always)]
@@ -93,7 +97,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
             SteppedField::Affine(field, inverse_w) => {
                 Some(SteppedWalk::affine(V::whole(field, at, pixels)?, *inverse_w))
             }
-            SteppedField::Divided(..) => None,
+            SteppedField::Divided(..) | SteppedField::Quick(_) => None,
         }
     }
 
@@ -111,6 +115,10 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
             SteppedField::Divided(field, law) => {
                 let mut pieces = Pieces::new::<P>(field, law, at, pixels);
                 (pieces.piece(), Rest::Divided(pieces))
+            }
+            SteppedField::Quick(field) => {
+                let mut pieces = QuickPieces::new::<P>(field, at, pixels);
+                (pieces.piece(), Rest::Quick(pieces))
             }
         }
     }
@@ -130,6 +138,12 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
             }
             SteppedField::Divided(field, law) => {
                 let mut pieces = Pieces::new::<P>(field, law, at, pixels);
+                while pieces.pixels != 0 {
+                    visit(pieces.piece());
+                }
+            }
+            SteppedField::Quick(field) => {
+                let mut pieces = QuickPieces::new::<P>(field, at, pixels);
                 while pieces.pixels != 0 {
                     visit(pieces.piece());
                 }
@@ -159,6 +173,12 @@ pub struct SteppedWalk<V: Components> {
 }
 
 impl<V: Components> SteppedWalk<V> {
+    /// Numbers beside near / w, which is dropped if it is not read.
+    #[inline(always)]
+    pub(super) const fn new(numbers: V::Walk, inverse_w: u32) -> Self {
+        Self { numbers, inverse_w: if V::READS_INVERSE_W { inverse_w } else { 0 } }
+    }
+
     /// A piece that is linear on the screen.
     #[inline(always)]
     const fn affine(piece: Piece<V::Walk>, inverse_w: InverseW) -> Piece<Self> {
@@ -201,6 +221,8 @@ pub enum Rest<V: Components> {
     Affine(V::Rest, InverseW),
     /// Divided.
     Divided(Pieces<V>),
+    /// Divided in 16 bits.
+    Quick(QuickPieces<V>),
 }
 
 impl<V: Components> Iterator for Rest<V> {
@@ -211,6 +233,7 @@ impl<V: Components> Iterator for Rest<V> {
         match self {
             Self::Affine(rest, inverse_w) => Some(SteppedWalk::affine(rest.next()?, *inverse_w)),
             Self::Divided(pieces) => (pieces.pixels != 0).then(|| pieces.piece()),
+            Self::Quick(pieces) => (pieces.pixels != 0).then(|| pieces.piece()),
         }
     }
 }
@@ -224,7 +247,7 @@ pub struct Pieces<V: Components> {
     /// Along a whole step.
     stride: AtPixel<V>,
     last: AtPixel<V>,
-    division: Division<V>,
+    block: Block<V>,
     /// The pixels of a step.
     length: usize,
     /// From the next pixel to the end of the span.
@@ -238,17 +261,14 @@ impl<V: Components> Pieces<V> {
         let rows = field.rows(at[1]);
         let (first, change) = (field.at(at), field.along_row());
         let last = first.plus(&change.times(pixels as i32 - 1));
-        let division = Division::between(&first, &last, field.block);
-        let (at, last) = (division.scaled(first), division.scaled(last));
-        let ends = [at.q(), last.q()];
-        let division = division.quick_if(P::may_be_quick(law), ends);
-        let length = P::pixels(law, &division, rows, ends);
+        let least = first.q().min(last.q());
+        let length = P::pixels::<V>(P::level(law, rows) + 3 * log2_below(least));
         Self {
-            value: division.numbers(&at),
-            at,
-            stride: division.scaled(change.times(length as i32)),
+            value: first.divided(&field.block),
+            at: first,
+            stride: change.times(length as i32),
             last,
-            division,
+            block: field.block,
             length,
             pixels,
         }
@@ -267,24 +287,20 @@ impl<V: Components> Pieces<V> {
         }
         let (mut step, mut step_of_q) = (V::ZEROS, 0);
         if way != 0 {
-            self.value = self.division.numbers(&self.at);
+            self.value = self.at.divided(&self.block);
             for ((step, to), from) in
                 step.as_mut().iter_mut().zip(self.value.as_ref()).zip(from.as_ref())
             {
-                *step = part(to.wrapping_sub(*from), way);
+                *step = shared(to.wrapping_sub(*from), way);
             }
             if V::READS_INVERSE_W {
-                step_of_q = part(self.at.q().wrapping_sub(q) as i32, way);
+                step_of_q = shared(self.at.q().wrapping_sub(q) as i32, way);
             }
         }
         self.pixels -= pixels;
-        let walk = |numbers, inverse_w| SteppedWalk {
-            numbers,
-            inverse_w: if V::READS_INVERSE_W { inverse_w } else { 0 },
-        };
         Piece {
-            first: walk(V::walk_from(from), self.division.inverse_w(q)),
-            step: walk(V::step_from(step), self.division.step_of_inverse_w(step_of_q)),
+            first: SteppedWalk::new(V::walk_from(from), self.block.inverse_w(q)),
+            step: SteppedWalk::new(V::step_from(step), self.block.step_of_inverse_w(step_of_q)),
             pixels,
         }
     }
@@ -301,11 +317,18 @@ const PARTS: [u16; 65] = {
     parts
 };
 
-/// A change over `pixels` pixels, 1 to 64, as that from each to the next: within 2^-15 of it.
+/// What a change over `pixels` pixels, up to 64, is multiplied and shifted to the right by, for
+/// that from each to the next: 2^15 times too much, and within 2^-15 of it. Over 0 pixels it is 0.
 #[inline(always)]
-const fn part(change: i32, pixels: usize) -> i32 {
+pub(super) const fn part(pixels: usize) -> (i32, u32) {
     let part = if pixels < PARTS.len() { PARTS[pixels] as i32 } else { 0 };
-    let log2 = 31 - leading_zeros(pixels as u32);
+    (part, 31 - leading_zeros(pixels as u32 | 1))
+}
+
+/// A change over `pixels` pixels, 1 to 64, as that from each to the next.
+#[inline(always)]
+const fn shared(change: i32, pixels: usize) -> i32 {
+    let (part, log2) = part(pixels);
     let (upper, lower) = (change >> 16, change & 0xFFFF);
     (2 * upper * part + ((lower * part) >> 15)) >> log2
 }

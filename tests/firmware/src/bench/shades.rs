@@ -1,6 +1,8 @@
 //! The bench scenes of light, colour, blending and fog.
 
 mod blend;
+mod color;
+mod fog;
 
 use rasterizer::{
     camera::Camera,
@@ -27,6 +29,8 @@ pub fn main<const SET_UP: bool>() {
         let mut scenes = Scenes::<SET_UP> { bench: Bench(memory), camera: view("400", "2.4") };
         scenes.base();
         scenes.blend();
+        scenes.colors();
+        scenes.fog();
     });
 }
 

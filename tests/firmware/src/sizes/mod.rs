@@ -9,7 +9,9 @@
 //! checksum, and how far down the stack has reached.
 
 mod blended;
+mod color;
 mod display;
+mod fog;
 mod frames;
 pub mod scenes;
 mod textured;

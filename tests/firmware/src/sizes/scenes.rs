@@ -19,6 +19,8 @@ use rasterizer::{
 };
 
 pub use super::blended::{BlendedOver, BlendedSorted};
+pub use super::color::{DitheredDirect, DitheredPacked};
+pub use super::fog::{FogPixels, FogVertices, Matcap, VertexColors};
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };
