@@ -237,8 +237,9 @@ pub struct Blended {
     pub blend_most_layers: usize,
     /// Pixels with more layers than the reference has there, or fewer.
     pub blend_layer_mismatches: usize,
-    /// The largest difference of a layer's colour from the reference's in 8-bit steps; 0 with a
-    /// texture or fog, where several colours are right, and visible ones are judged by themselves.
+    /// The largest difference of a layer's colour from the reference's in 8-bit steps, for the
+    /// shadings flat, gouraud and unlit without fog; 0 for others, which have several right colours
+    /// and of which those that are seen are judged by themselves.
     pub blend_layer_max_error: f64,
     /// The largest difference of a blended colour in 8-bit steps.
     pub blend_max_error: f64,
