@@ -58,7 +58,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
 }
 
 /// A sky that gets lighter towards the horizon.
-fn sky(point: Point) -> Rgb888 {
+const fn sky(point: Point) -> Rgb888 {
     let light = point.y.unsigned_abs() as u8;
     Rgb888::new(light / 3, light / 2, 40 + light)
 }

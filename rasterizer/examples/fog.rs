@@ -5,6 +5,7 @@
 //!
 //! `cargo run -p rasterizer --example fog`
 
+#[expect(dead_code, reason = "the camera is another one: it stands on the ground")]
 mod common;
 /// What `host-tools convert` makes of `rocket.obj`.
 #[path = "models/rocket.rs"]

@@ -16,7 +16,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use rasterizer::{
     mesh::{Finish, Material, Mesh, Tables},
     prelude::*,
-    shade::{GlossyGouraud, Phong},
+    shade::{GlossyGouraud, OnScreen, Phong},
 };
 use static_cell::ConstStaticCell;
 
@@ -37,6 +37,11 @@ static BALLS: [Mesh<'static>; 3] = [
 ];
 const VERTICES: usize = BALLS[0].vertex_count();
 
+/// Vertices carry normals, with near / w: these are interpolated in perspective.
+type Vertex = ScreenVertex<S4, u16, OnScreen<Phong<Rgb565>>>;
+
+static NORMALS: ConstStaticCell<[Vertex; VERTICES]> =
+    ConstStaticCell::new([Vertex::EMPTY; VERTICES]);
 static COLOR: ConstStaticCell<[Rgb565; 240 * 240]> = ConstStaticCell::new([PAPER; 240 * 240]);
 static DEPTH: ConstStaticCell<[u16; 240 * 240]> = ConstStaticCell::new([0; 240 * 240]);
 
@@ -45,16 +50,15 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let mut frame = Frame::new(COLOR.take(), DEPTH.take(), SCREEN)?;
     let places = const { [Vec3::lit("-0.7", "0", "0"), Vec3::ZERO, Vec3::lit("0.7", "0", "0")] };
     let [up, down] = const { [Vec3::lit("0", "0.45", "0"), Vec3::lit("0", "-0.45", "0")] };
+    let normals = NORMALS.take();
     let size = Pose::IDENTITY.scaled(const { Distance::lit("0.33") });
     for (ball, place) in BALLS.iter().zip(places) {
         let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; VERTICES];
         let by_vertex = Object::new(ball, GlossyGouraud::new(LIGHT)).posed(size.at(place + up));
         by_vertex.draw(&camera, &mut vertices, &mut frame)?;
 
-        // Vertices carry normals, with near / w: these are interpolated in perspective.
-        let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; VERTICES];
         let by_pixel = Object::new(ball, Phong::new(LIGHT)).posed(size.at(place + down));
-        by_pixel.draw(&camera, &mut vertices, &mut frame)?;
+        by_pixel.draw(&camera, normals, &mut frame)?;
     }
     frame.present(screen)?;
     Ok(())

@@ -16,7 +16,7 @@ use embedded_graphics::pixelcolor::Rgb565;
 use rasterizer::{
     mesh::{Finish, Material, Mesh, Tables},
     prelude::*,
-    shade::Phong,
+    shade::{OnScreen, Phong},
 };
 use static_cell::ConstStaticCell;
 
@@ -41,6 +41,11 @@ static BALL: Mesh<'static> = Mesh::new_const(Tables {
     .tables()
 });
 
+type Vertex = ScreenVertex<S4, u16, OnScreen<Phong<Rgb565, [Light; 2]>>>;
+const VERTICES: usize = BALL.vertex_count();
+
+static NORMALS: ConstStaticCell<[Vertex; VERTICES]> =
+    ConstStaticCell::new([Vertex::EMPTY; VERTICES]);
 static COLOR: ConstStaticCell<[Rgb565; 240 * 240]> = ConstStaticCell::new([WALL; 240 * 240]);
 static DEPTH: ConstStaticCell<[u16; 240 * 240]> = ConstStaticCell::new([0; 240 * 240]);
 
@@ -49,10 +54,9 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
     let turned = Rotation::about_z(Turn::degrees(25)) * Rotation::about_x(-Turn::degrees(12));
     let pose = Pose::rotated(turned).scaled(const { Distance::lit("0.95") });
     let shader = Phong::new([WINDOW, SPOT]);
-    let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; BALL.vertex_count()];
     let mut frame = Frame::new(COLOR.take(), DEPTH.take(), SCREEN)?;
     let object = Object::new(&BALL, shader).posed(pose);
-    object.draw(&camera(SCREEN)?, &mut vertices, &mut frame)?;
+    object.draw(&camera(SCREEN)?, NORMALS.take(), &mut frame)?;
     frame.present(screen)?;
     Ok(())
 }

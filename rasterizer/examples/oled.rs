@@ -97,7 +97,7 @@ struct Oled<'s> {
 }
 
 impl<'s> Oled<'s> {
-    fn new(screen: &'s mut Screen, corner: Point) -> Self {
+    const fn new(screen: &'s mut Screen, corner: Point) -> Self {
         Self { screen, corner }
     }
 }

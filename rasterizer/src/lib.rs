@@ -152,19 +152,21 @@
 //! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), or [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes |
-//! | new and stored colours | [`Object::blended`](scene::Object::blended) | [`Replace`](output::Replace), [`Blend`](output::Blend) by a function of both |
-//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
+//! | new and stored colours | [`Object::blended`](scene::Object::blended) | [`Replace`](output::Replace); [`Over`](output::Over), [`Add`](output::Add), [`Multiply`](output::Multiply), [`Screen`](output::Screen); [`Blend`](output::Blend) by a function of both |
+//! | depth of blended pixels | the blending | stored, or with [`KeepDepth`](output::KeepDepth) left |
+//! | alpha | the blending's factor, the shader, the texels | an [`Alpha`](color::Alpha) for the object, [`MaterialOpacity`](output::MaterialOpacity), [`Faded`](shade::Faded) by vertices, [`Translucent`](texture::Translucent) by texels |
+//! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`GlossyGouraud`](shade::GlossyGouraud), [`Phong`](shade::Phong), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
 //! | fog | a shader around another one | [`Fogged`](shade::Fogged), [`AtPixels`](shade::AtPixels) or [`AtVertices`](shade::AtVertices) |
 //! | an object's own colour, or place of a texture | a shader around another one, a texture around another one | [`Recolored`](shade::Recolored), [`Offset`](texture::Offset) |
 //! | texels | the texture's type | [formats](texture), sizes, and borders: [`Repeat`](texture::Repeat), [`Mirror`](texture::Mirror), [`Clamp`](texture::Clamp) |
 //! | texels of a pixel | the shader's filter | [`Nearest`](texture::Nearest), [`Bilinear`](texture::Bilinear), [`NearestMip`](texture::NearestMip), [`BilinearMip`](texture::BilinearMip), [`Trilinear`](texture::Trilinear) |
 //! | perspective of texture coordinates | the shader's mode, by `corrected` | [`Affine`](attribute::Affine), [`Every`](attribute::Every), [`Adaptive`](attribute::Adaptive), [`EveryPixel`](attribute::EveryPixel); of any varying by [`PerspectiveCorrect`](attribute::PerspectiveCorrect) |
-//! | pixels discarded or not | the shader's [`Outcome`](shade::Shader::Outcome) | a colour, or an `Option` of one |
+//! | pixels discarded or not | the shader's [`Outcome`](shade::Shader::Outcome) | a colour, an `Option` of one, or a [`Layer`](shade::Layer) with an alpha |
 //! | colours of the display | the shader's colour type | all of embedded-graphics, [`Rgb332`](color::Rgb332), or your own: [`color`] has a table of them |
 //! | dithering | a wrapper of the shader, or of the display | [`Dithered`](shade::Dithered), [`Dithering`](output::Dithering) |
 //! | byte order of a pixel | the shader's colour type | [`Rgb565Be`](output::Rgb565Be), in SPI order and filled by words, or [any other](output::StoredColor) |
 //! | vertices stored or not | a method of the object | [`project`](scene::Object::project), [`project_on_demand`](scene::Object::project_on_demand) |
-//! | order of triangles | a step before drawing | [`MeshOrder`](scene::MeshOrder), or [`Bins`](scene::Bins) by [`Projected::binned`](scene::Projected::binned) |
+//! | order of triangles | a step before drawing | [`MeshOrder`](scene::MeshOrder), [`Bins`](scene::Bins) by [`Projected::binned`](scene::Projected::binned), or [`BackToFront`](scene::BackToFront) by [`Projected::back_to_front`](scene::Projected::back_to_front) |
 //! | destination | the target's type | [`Frame`](output::Frame), [`Bands`](output::Bands) of it, [`Direct`](output::Direct) |
 //! | pixels of less than a byte | the target's type | [`PackedFrame`](output::PackedFrame), [`Bands::packed`](output::Bands::packed); [`InRows`](output::InRows) or [`InPages`](output::InPages) |
 //! | rows of a frame | its constructor | [`Packed`](output::Packed), or [`Strided`](output::Strided) in a larger buffer by [`with_stride`](output::Frame::with_stride) |
@@ -208,6 +210,8 @@
 //! | texture coordinates | Q2.14, or Q8.24 for up to 64 repeats from 0; near / w with them in Q0.32 | 1/16 texel or 1/256 pixel, whichever is more, where they are divided ([`EveryPixel`](attribute::EveryPixel)); the tolerance, half a texel unless another is chosen, with [`Adaptive`](attribute::Adaptive); for textures of up to 1,024 texels and distances of up to 1:1,000 in a triangle |
 //! | mip levels | Q16.16 | 1/30 level for each pixel ([`PerPixel`](texture::PerPixel)) |
 //! | light levels | Q0.16, stepped with 16 more bits | 1 of 256 steps of colour |
+//! | level of a [`Lamp`](shade::Lamp) | Q0.16, directions in Q1.15 | 2<sup>-12</sup> |
+//! | normal of a pixel ([`Phong`](shade::Phong)) | Q1.15 | half a degree |
 //!
 //! Any finite input gives the right picture or an error value before the first pixel: triangles
 //! that leave the guard band of ±1,024 pixels, the near plane or the far plane are clipped, in
@@ -216,11 +220,12 @@
 //!
 //! # Not supported
 //!
+//! * Coloured light, shadows, normal maps, and highlights on textures.
 //! * Antialiasing; lines and points.
-//! * Alpha that is blended: a texel is opaque or transparent. Textures over 1,024 texels wide or
-//!   high, and anisotropic filters.
-//! * Sorting from back to front. Objects that are blended or drawn without depth are drawn in the
-//!   order of the calls, their triangles in the order of the mesh.
+//! * Textures over 1,024 texels wide or high, and anisotropic filters.
+//! * Sorting the triangles of several objects together: objects that are blended or drawn without
+//!   depth are drawn in the order of the calls. Bins of triangles that are sorted from back to
+//!   front.
 //! * Non-uniform scaling of objects.
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
 //! * Vertices kept across the bands of a frame for several objects in one storage: each has its

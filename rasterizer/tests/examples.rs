@@ -33,6 +33,8 @@ macro_rules! examples {
 examples! {
     bands = "../examples/bands.rs",
     blending = "../examples/blending.rs",
+    blending_modes = "../examples/blending_modes.rs",
+    clouds = "../examples/clouds.rs",
     cutout = "../examples/cutout.rs",
     depth_formats = "../examples/depth_formats.rs",
     direct = "../examples/direct.rs",
@@ -43,6 +45,8 @@ examples! {
     filters = "../examples/filters.rs",
     flat = "../examples/flat.rs",
     fog = "../examples/fog.rs",
+    glass = "../examples/glass.rs",
+    glow = "../examples/glow.rs",
     gouraud = "../examples/gouraud.rs",
     highlights = "../examples/highlights.rs",
     lamp = "../examples/lamp.rs",

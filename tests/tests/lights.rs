@@ -121,7 +121,7 @@ fn normals_of_pixels_are_within_half_a_degree() {
         let object = Object::new(&mesh, shader).culled(CullNone);
         let Ok(projected) = object.project(&camera, &mut storage) else { continue };
         let nothing = Seen([I16F16::ZERO; 3]);
-        let mut color = [nothing; 96 * 80];
+        let mut color = vec![nothing; 96 * 80];
         let mut depth = [0; 96 * 80];
         let mut frame = Frame::new(&mut color, &mut depth, SCREEN).unwrap();
         projected.draw(&mut frame).unwrap();
@@ -188,7 +188,7 @@ impl Body {
                 let at = |r: u8, c: u8| r * COLUMNS + c % COLUMNS;
                 let [a, b] = [at(row, column), at(row, column + 1)];
                 let [c, d] = [at(row + 1, column), at(row + 1, column + 1)];
-                triangles.extend([[a, d, b], [a, c, d]]);
+                triangles.extend([[a, b, d], [a, d, c]]);
             }
         }
         let half = triangles.len() as u32 / 2;
@@ -201,7 +201,7 @@ impl Body {
                 Finish::MATTE.with_specular([90, 255, 255], exponents[1]).with_emission([9, 0, 40]),
             ],
             materials: [Material::new([180, 60, 30], half), Material::new([20, 90, 160], half)],
-            scale: Scale::new((radius / 4000.0 * 2f64.powi(50)) as u32, -50),
+            scale: Scale::new((radius / 4000.0 * 2f64.powi(34)) as u32, -34),
             offset: Vec3::lit("0.125", "-0.25", "0.5"),
         }
     }

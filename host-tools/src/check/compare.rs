@@ -1,6 +1,6 @@
 //! Differences, in numbers.
 
-use super::{DisplayOutcome, FixedPicture, NormalErrors, Places, Texels};
+use super::{Blended, DisplayOutcome, FixedPicture, NormalErrors, Places, Texels};
 use crate::reference::{DepthFormat, Picture};
 
 /// How far a fixed-point picture is off a reference.
@@ -37,6 +37,9 @@ pub struct Comparison {
     /// Of the normals of pixels, on the core's own vertices; `None` without light at pixels.
     #[cfg_attr(feature = "cli", serde(flatten))]
     pub normals: Option<NormalErrors>,
+    /// Of the blended layers, on the core's own vertices; `None` without blending.
+    #[cfg_attr(feature = "cli", serde(flatten))]
+    pub blend: Option<Blended>,
     /// How long the fixed-point core takes on this machine, in milliseconds.
     pub fixed_ms: f64,
     /// How long the reference takes on this machine, in milliseconds.
@@ -124,13 +127,15 @@ impl Vertices {
 }
 
 impl Comparison {
-    /// Whether the picture keeps the bounds, and each vertex, coordinate and normal its own.
+    /// Whether the picture keeps the bounds, and each vertex, each texture coordinate, each normal
+    /// and each blended colour its own.
     #[must_use]
     pub fn is_within(&self, bounds: &Bounds) -> bool {
         self.deviation.is_within(bounds)
             && self.vertices.are_within()
             && self.texels.is_none_or(|texels| texels.are_within())
             && self.normals.is_none_or(|normals| normals.are_within())
+            && self.blend.is_none_or(|blend| blend.is_within(bounds.color_max_error))
     }
 }
 

@@ -299,10 +299,10 @@ fn blocks(
         }
         outcome.even_blocks += 1;
         let wanted = definition.measured(gray_of(definition, full(first.color)));
-        for channel in 0..3 {
+        for (channel, wanted) in wanted.into_iter().enumerate() {
             let sum: f64 =
                 places().map(|index| definition.measured(full(shown[index]))[channel]).sum();
-            let off = (sum / 64.0 - wanted[channel]).abs();
+            let off = (sum / 64.0 - wanted).abs();
             outcome.block_max_error = outcome.block_max_error.max(off);
         }
     }

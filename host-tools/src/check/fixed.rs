@@ -1,23 +1,27 @@
 //! The fixed-point picture of a model in a view, by the same tables and the same calls as on a
 //! microcontroller.
 
-use std::time::{Duration, Instant};
+use std::{
+    cell::RefCell,
+    time::{Duration, Instant},
+};
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
-    attribute::FloatDepth,
+    attribute::{FloatDepth, NoDepth},
     camera::Camera,
     color::Composite,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
-    output::StoredColor,
+    output::{Frame, MaterialOpacity, StoredColor},
     scene::Object,
     shade::{Fogged, OnScreen, Shader},
     texture::Texel,
 };
 
 use super::{
-    DefinedDepth, DepthFormat, NormalErrors, Texels,
+    Blending, DefinedDepth, DepthFormat, NormalErrors, Texels,
+    blending::{self, Layers, Recorder},
     fog::{self, AnyFog, SeenPicture},
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
@@ -25,7 +29,7 @@ use super::{
 };
 use crate::{
     model::Model,
-    reference::{self, Corner, Picture, Sample, ScreenTriangle},
+    reference::{self, Blend, Corner, Picture, Sample, ScreenTriangle},
 };
 
 /// A frame by the core, and how the reference draws it.
@@ -36,6 +40,8 @@ pub(super) struct Drawn<'a> {
     pub(super) vertices: Vec<Option<[f64; 2]>>,
     /// How long the core takes for vertices and triangles.
     pub(super) time: Duration,
+    /// The model blended with itself, if the view blends.
+    pub(super) blended: Option<Layers>,
     /// Draws the reference on the core's own vertices, with depth from 0 to 1, and judges texture
     /// coordinates. It is given the core's picture, because some pixels have several right colours.
     pub(super) arithmetic: Box<dyn FnOnce(&FixedPicture) -> Arithmetic + 'a>,
@@ -60,7 +66,7 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888, Outcome = Rgb8
     exact: impl Fn(Corner) -> [f64; N] + 'a,
     shade_exact: impl Fn(Sample<N>) -> Option<[f64; 3]> + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Placed { picture, triangles, vertices, time, fog, .. } =
+    let Placed { picture, triangles, vertices, time, blended, fog, .. } =
         place(model, view, shader, placed)?;
     let size = view.size.map(|c| c as usize).into();
     let arithmetic = move |fixed: &FixedPicture| {
@@ -75,6 +81,7 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888, Outcome = Rgb8
         picture,
         vertices,
         time,
+        blended,
         arithmetic: Box::new(arithmetic),
         end_to_end: end_to_end((model, surface), view, exact, shade_exact),
     })
@@ -108,6 +115,7 @@ pub(super) struct Placed<const N: usize, C> {
     pub(super) time: Duration,
     /// The colours of the picture, row by row.
     pub(super) colors: Vec<C>,
+    pub(super) blended: Option<Layers>,
     /// Fog on the same triangles, if there is any.
     pub(super) fog: Option<SeenPicture>,
 }
@@ -124,20 +132,20 @@ where
     Sh: Shader<Color: ShownColor + Composite, Outcome: Texel<<Sh as Shader>::Color>>,
 {
     let (Some(fog), Some(core)) = (view.fog, view.core_fog()?) else {
-        return by_projection(model, view, shader, |triangle, corner| {
+        return by_projection::<N, false, _>(model, view, shader, |triangle, corner| {
             (placed(triangle, corner), 1.0)
         });
     };
     let shader = Fogged::new(shader.clone(), &core, fog.core_color().into()).computed(AnyFog);
     let near = view.rounded().near;
     fog::with(fog.by, || {
-        by_projection(model, view, &shader, |triangle, (corner, seen)| {
+        by_projection::<N, true, _>(model, view, &shader, |triangle, (corner, seen)| {
             (placed(triangle, corner), fog::inverse_w(seen, near))
         })
     })
 }
 
-fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
+fn by_projection<const N: usize, const IN_FOG: bool, Sh: Shader<Color: ShownColor>>(
     model: &Model,
     view: &View,
     shader: &Sh,
@@ -145,10 +153,12 @@ fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
 ) -> Result<Placed<N, Sh::Color>, ViewError> {
     match view.projection {
         Projection::Perspective { field_of_view_degrees } => {
-            by_camera(model, view, &view.perspective(field_of_view_degrees)?, shader, placed)
+            let camera = view.perspective(field_of_view_degrees)?;
+            by_camera::<N, IN_FOG, _, _>(model, view, &camera, shader, placed)
         }
         Projection::Orthographic { height } => {
-            by_camera(model, view, &view.orthographic(height)?, shader, placed)
+            let camera = view.orthographic(height)?;
+            by_camera::<N, IN_FOG, _, _>(model, view, &camera, shader, placed)
         }
     }
 }
@@ -158,37 +168,43 @@ pub(super) trait ShownColor: StoredColor + From<Rgb888> + Into<Rgb888> {}
 
 impl<C: StoredColor + From<Rgb888> + Into<Rgb888>> ShownColor for C {}
 
-/// Draws in one of the pairs of precision and depth that a view can have.
-fn by_camera<const N: usize, P: geometry::Projection, Sh: Shader<Color: ShownColor>>(
+/// Draws in one of the pairs of precision and depth that a view can have. Fog does not read depth:
+/// it is compiled with one format.
+fn by_camera<const N: usize, const IN_FOG: bool, P, Sh>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
     shader: &Sh,
     placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
-) -> Result<Placed<N, Sh::Color>, ViewError> {
+) -> Result<Placed<N, Sh::Color>, ViewError>
+where
+    P: geometry::Projection,
+    Sh: Shader<Color: ShownColor>,
+{
     match (view.subpixel, view.depth) {
         (Subpixel::S4, DepthFormat::U16) => {
-            by_format::<N, S4, u16, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S4, DepthFormat::Float16) => {
-            by_format::<N, S4, FloatDepth, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S4, DepthFormat::U32) => {
-            by_format::<N, S4, u32, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S4, u16, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U16) => {
-            by_format::<N, S8, u16, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S8, u16, _, _>(model, view, camera, shader, placed)
+        }
+        _ if IN_FOG => Err(ViewError::DepthInFog),
+        (Subpixel::S4, DepthFormat::Float16) => {
+            by_format::<N, IN_FOG, S4, FloatDepth, _, _>(model, view, camera, shader, placed)
+        }
+        (Subpixel::S4, DepthFormat::U32) => {
+            by_format::<N, IN_FOG, S4, u32, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::Float16) => {
-            by_format::<N, S8, FloatDepth, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S8, FloatDepth, _, _>(model, view, camera, shader, placed)
         }
         (Subpixel::S8, DepthFormat::U32) => {
-            by_format::<N, S8, u32, _, _>(model, view, camera, shader, placed)
+            by_format::<N, IN_FOG, S8, u32, _, _>(model, view, camera, shader, placed)
         }
     }
 }
 
-fn by_format<const N: usize, S, D, P, Sh>(
+fn by_format<const N: usize, const IN_FOG: bool, S, D, P, Sh>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
@@ -208,15 +224,15 @@ where
     let projected = object.project(camera, &mut storage)?;
     let projecting = start.elapsed();
     let drawn = object::draw_colors(&projected, view.area())?;
+    let mut inverses = Vec::new();
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-        (corner.depth().depth(), placed(triangle, corner.varyings()).0)
+        let (varyings, inverse_w) = placed(triangle, corner.varyings());
+        inverses.push(inverse_w);
+        (corner.depth().depth(), varyings)
     });
     let fog = view.rounded().fog.map(|fog| {
-        let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-            (corner.depth().depth(), [placed(triangle, corner.varyings()).1])
-        });
         let size = view.size.map(|c| c as usize).into();
-        SeenPicture::new(fog, &triangles, size)
+        SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
     });
     let vertices =
         projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
@@ -226,6 +242,39 @@ where
         vertices,
         time: projecting + drawn.time,
         colors: drawn.color,
+        blended: match view.blending {
+            Blending::Replace => None,
+            Blending::By(_) if IN_FOG => return Err(ViewError::BlendingInFog),
+            Blending::By(blend) => Some(blended::<S, _, _>(&object, (view, blend), camera)?),
+        },
         fog,
     })
+}
+
+/// Draws a model blended with itself, from back to front, and keeps its layers. Without depth: all
+/// of them are seen, and the code is compiled once for all formats of depth.
+fn blended<S, P, Sh>(
+    object: &Object<'_, Sh>,
+    (view, blend): (&View, Blend),
+    camera: &Camera<P>,
+) -> Result<Layers, ViewError>
+where
+    S: numbers::Subpixel,
+    P: geometry::Projection,
+    Sh: Shader<Color: ShownColor>,
+{
+    let layers = RefCell::default();
+    let factor = MaterialOpacity::times(blending::alpha(view.opacity));
+    let object = object.clone().blended(Recorder { blend, factor, layers: &layers });
+    let count = object.mesh().triangle_count();
+    let mut order = vec![0; count];
+    let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
+    let projected = projected.back_to_front(&mut order)?;
+    let [red, green, blue] = view.background;
+    let pixels = view.size.iter().map(|&side| side as usize).product();
+    let mut colors = vec![Sh::Color::from(Rgb888::new(red, green, blue)); pixels];
+    let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
+    let colors = colors.into_iter().map(Into::into);
+    let order = projected.order().triangles();
+    Ok(Layers::new((view, blend), colors, &layers.borrow(), order, count))
 }

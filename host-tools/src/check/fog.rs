@@ -14,7 +14,7 @@ use rasterizer::{
 };
 
 use super::places::FaceColors;
-use crate::reference::{self, Picture, ScreenTriangle, draw_screen, fogged};
+use crate::reference::{self, Picture, ScreenTriangle, ScreenVertex, draw_screen, fogged};
 
 /// Where fog is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -165,6 +165,22 @@ impl FogMode for AnyFog {
             FogBy::Vertex => AtVertices::at_vertex(amount, seen),
         }
     }
+}
+
+/// Triangles with 1 / w as varying: `inverses` has that of each corner.
+pub(super) fn triangles<const N: usize>(
+    triangles: &[ScreenTriangle<N>],
+    inverses: &[f64],
+) -> Vec<ScreenTriangle<1>> {
+    let (inverses, _) = inverses.as_chunks::<3>();
+    let of = |(triangle, inverses): (&ScreenTriangle<N>, &[f64; 3])| {
+        let corner = |i: usize| {
+            let ScreenVertex { x, y, depth, .. } = triangle.vertices[i];
+            ScreenVertex { x, y, depth, varyings: [inverses[i]] }
+        };
+        ScreenTriangle { vertices: [0, 1, 2].map(corner), number: triangle.number }
+    };
+    triangles.iter().zip(inverses).map(of).collect()
 }
 
 /// Fog as the reference sees it on the core's own vertices.

@@ -13,6 +13,9 @@
 //!   all edges must show the face that the file has there, or none: see [`Places`]. How far pixels
 //!   at edges are off has no bound that holds for every model, so the reader judges.
 //!
+//! In a view that blends, the layers of each pixel, which the core draws from back to front without
+//! storing depth, are compared too, and their blended colour with f64: see [`Blended`].
+//!
 //! [`Outcome::is_within`] tells whether all of it holds.
 //!
 //! [`check`] compares a model in a view, [`Checker`] in several. [`judge`] compares any object of
@@ -20,6 +23,7 @@
 
 mod any_mode;
 mod any_texture;
+mod blending;
 mod compare;
 mod coordinates;
 mod correction;
@@ -46,6 +50,7 @@ mod view;
 
 use std::time::{Duration, Instant};
 
+pub use blending::{BACKGROUND, BlendBound, BlendError, Blended, Blending};
 pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome, VertexError, Vertices};
 pub use coordinates::{ExactCoordinate, TexelError, Texels};
 pub use correction::Correction;
@@ -61,6 +66,7 @@ pub use shading::Shading;
 pub use view::{Projection, Subpixel, View, ViewError};
 
 use crate::{model::Model, reference};
+use blending::Layers;
 use fixed::Drawn;
 use placement::Placement;
 use places::{FaceColors, Judge};
@@ -82,6 +88,9 @@ pub struct Checked {
     pub wrong: Vec<Wrong>,
     /// How the fixed-point picture stores its depth.
     pub depth: DepthFormat,
+    /// The fixed-point picture with the model blended with itself and the background, if the view
+    /// blends.
+    pub blended: Option<FixedPicture>,
 }
 
 impl Checked {
@@ -152,11 +161,15 @@ impl<'a> Checker<'a> {
                 (placement.place(p), bound(p))
             })
         };
-        let comparison = |reference, vertices, (texels, normals), time| Comparison {
+        let has_colors = view.fog.is_none() && view.shading.has_plain_layers();
+        let layers = drawn.blended;
+        let blend = layers.as_ref().map(|layers| layers.judge(&arithmetic, has_colors));
+        let comparison = |reference, vertices, (texels, normals, blend), time| Comparison {
             deviation: compare::compare(&fixed, reference, depth),
             vertices,
             texels,
             normals,
+            blend,
             fixed_ms: milliseconds(drawn.time),
             reference_ms: milliseconds(time),
         };
@@ -175,13 +188,19 @@ impl<'a> Checker<'a> {
         };
         let (places, wrong) = judge.judge(&fixed);
         let outcome = Outcome {
-            arithmetic: comparison(&arithmetic, quantised, (texels, normals), arithmetic_time),
-            end_to_end: comparison(&end_to_end, exact, (None, None), end_to_end_time),
+            arithmetic: comparison(
+                &arithmetic,
+                quantised,
+                (texels, normals, blend),
+                arithmetic_time,
+            ),
+            end_to_end: comparison(&end_to_end, exact, (None, None, None), end_to_end_time),
             places,
             display: None,
         };
+        let blended = layers.map(|layers| blended(&fixed, &layers));
         let mut checked =
-            Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth };
+            Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth, blended };
         checked.outcome.display = view.display.map(|display| display::judge(display, &checked));
         checked
     }
@@ -197,7 +216,8 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
     Checker::new(model).check(view)
 }
 
-/// Draws a model by the fixed-point core alone.
+/// Draws a model by the fixed-point core alone: blended with itself and the background if the view
+/// blends.
 ///
 /// # Errors
 ///
@@ -207,7 +227,18 @@ pub fn render(model: &Model, view: &View) -> Result<FixedPicture, ViewError> {
     // The surface is for the reference, which isn't drawn.
     let surface = Surface::default();
     let skins = Skins::new(model, &surface, skins::of_materials(model));
-    Ok(shading::draw(model, &surface, &skins, view)?.picture)
+    let drawn = shading::draw(model, &surface, &skins, view)?;
+    Ok(match &drawn.blended {
+        Some(layers) => blended(&drawn.picture, layers),
+        None => drawn.picture,
+    })
+}
+
+/// A picture in its blended colours.
+fn blended(picture: &FixedPicture, layers: &Layers) -> FixedPicture {
+    let recolored = |(pixel, &color): (&Pixel, &[u8; 3])| Pixel { color, ..*pixel };
+    let pixels = picture.pixels.iter().zip(&layers.colors).map(recolored).collect();
+    FixedPicture { pixels, ..*picture }
 }
 
 /// The exact values of the positions in the tables.

@@ -183,7 +183,7 @@ where
 pub fn screen_triangles<const N: usize, V, P, Sh, M, O>(
     projected: &Projected<'_, V, P, Sh, M, O>,
     origin: Point,
-    corner: impl Fn(usize, &ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>) -> (f64, [f64; N]),
+    mut corner: impl FnMut(usize, &ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>) -> (f64, [f64; N]),
 ) -> Vec<ScreenTriangle<N>>
 where
     V: Vertices<OnScreen<Sh>>,

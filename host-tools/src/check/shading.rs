@@ -42,7 +42,8 @@ pub enum Shading {
     Gouraud,
     /// The same with highlights and with light of materials.
     GlossyGouraud,
-    /// Lit at each pixel, with highlights as a far viewer sees them.
+    /// Lit at each pixel, with highlights as a far viewer sees them, or a near one if there are
+    /// lamps.
     Phong,
     /// The same for a viewer that each point sees in its own direction.
     PhongNear,
@@ -104,6 +105,11 @@ impl Shading {
         matches!(self, Self::GlossyGouraud | Self::Phong | Self::PhongNear)
     }
 
+    /// Whether the reference has the colour of each layer, and not of the nearest one only.
+    pub(super) fn has_plain_layers(self) -> bool {
+        !self.is_textured() && !self.is_shiny() && self != Self::Matcap
+    }
+
     /// Whether it reads texture coordinates.
     #[must_use]
     pub const fn is_textured(self) -> bool {
@@ -122,10 +128,25 @@ pub(super) fn draw<'a>(
     skins: &'a Skins,
     view: &View,
 ) -> Result<Drawn<'a>, ViewError> {
+    // One far light has its own type where that is most often used; elsewhere it is one of several,
+    // which are dark, so that fewer shaders are compiled.
     match (view.shading, view.lights.single()) {
+        (Shading::Flat | Shading::Gouraud, Some(light)) => draw_lit(model, surface, view, light),
+        (Shading::Flat | Shading::Gouraud, None) => {
+            draw_lit(model, surface, view, view.lights.core())
+        }
+        (Shading::GlossyGouraud, _) => {
+            let definition = Definition::new((model, surface), &view.rounded(), false);
+            shiny::draw_at_vertices(definition, view, view.lights.core())
+        }
         (Shading::Phong | Shading::PhongNear, _) => draw_at_pixels(model, surface, view),
-        (_, Some(light)) => draw_lit(model, surface, skins, view, light),
-        (_, None) => draw_lit(model, surface, skins, view, view.lights.core()),
+        (Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud, _) => {
+            draw_textured(model, surface, skins, view)
+        }
+        (Shading::Matcap, _) => matcap::draw((model, surface, skins), view),
+        (Shading::Unlit | Shading::Colored | Shading::ColoredGouraud, _) => {
+            draw_colored(model, surface, view)
+        }
     }
 }
 
@@ -135,30 +156,25 @@ fn draw_at_pixels<'a>(
     surface: &'a Surface,
     view: &View,
 ) -> Result<Drawn<'a>, ViewError> {
-    let (suns, lamps) = view.lights.core();
-    let is_near = view.shading == Shading::PhongNear;
+    let lights = view.lights.core();
+    // With positions for lamps there are those for a near viewer too.
+    let is_near = view.shading == Shading::PhongNear || view.lights.are_near();
     let definition = Definition::new((model, surface), &view.rounded(), is_near);
     let over = |inverse_w: InverseW| f64::from(inverse_w.to_bits()) / 2f64.powi(32);
-    let with_position = |([x, y, z, u, v, w], inverse_w): ([i16; 6], InverseW)| {
-        ([[x, y, z], [u, v, w]].map(|part| part.map(f64::from)), over(inverse_w))
-    };
     if is_near {
         shiny::draw_at_pixels::<_, NearViewer>(
             definition,
             view,
-            &Phong::new((suns, lamps)).with_near_viewer().with_levels(),
+            &Phong::new(lights).with_near_viewer().with_levels(),
             |seen| seen.value.first_chunk().map(|normal| normal.map(fixed_bits)),
-            |corner| with_position(PhongCorrection::parts::<[i16; 6]>(corner)),
-        )
-    } else if view.lights.are_near() {
-        shiny::draw_at_pixels::<_, FarViewer>(
-            definition,
-            view,
-            &Phong::new((suns, lamps)).with_levels(),
-            |seen| seen.value.first_chunk().map(|normal| normal.map(fixed_bits)),
-            |corner| with_position(PhongCorrection::parts::<[i16; 6]>(corner)),
+            |corner| {
+                let (corner, inverse_w) = PhongCorrection::parts::<[i16; 6]>(corner);
+                let [x, y, z, u, v, w] = corner.map(f64::from);
+                ([[x, y, z], [u, v, w]], over(inverse_w))
+            },
         )
     } else {
+        let (suns, _) = lights;
         shiny::draw_at_pixels::<_, FarViewer>(
             definition,
             view,
@@ -176,11 +192,10 @@ const fn fixed_bits(number: rasterizer::fixed::types::I16F16) -> i32 {
     number.to_bits()
 }
 
-/// [`draw`] for shaders with light at vertices or triangles, or without.
+/// [`draw`] for the colours of materials with light at vertices or triangles.
 fn draw_lit<'a, L: Lighting>(
     model: &'a Model,
     surface: &'a Surface,
-    skins: &'a Skins,
     view: &View,
     core_lights: L,
 ) -> Result<Drawn<'a>, ViewError> {
@@ -193,35 +208,38 @@ fn draw_lit<'a, L: Lighting>(
     let file_lit = move |Sample { triangle, varyings: [level], .. }: Sample<1>| {
         Some(file_color(triangle).map(|channel| channel * level))
     };
+    if view.shading == Shading::Flat {
+        let (levels, file_levels) = flat_levels(model, surface, view);
+        fixed::draw(
+            (model, surface),
+            view,
+            &Flat::<Rgb888, L>::new(core_lights),
+            |triangle, []| [levels[triangle]],
+            lit,
+            move |corner: Corner| [file_levels[corner.triangle]],
+            file_lit,
+        )
+    } else {
+        let levels = corner_levels(model, surface, view);
+        fixed::draw(
+            (model, surface),
+            view,
+            &Gouraud::<Rgb888, LEVELS, L>::with_levels(core_lights),
+            |_, [place]| [ramp_level(place)],
+            lit,
+            move |corner: Corner| [levels[corner.vertex][0]],
+            file_lit,
+        )
+    }
+}
+
+/// [`draw`] for colours without light, and for those of vertices.
+fn draw_colored<'a>(
+    model: &'a Model,
+    surface: &'a Surface,
+    view: &View,
+) -> Result<Drawn<'a>, ViewError> {
     match view.shading {
-        Shading::Flat => {
-            let (levels, file_levels) = flat_levels(model, surface, view);
-            fixed::draw(
-                (model, surface),
-                view,
-                &Flat::<Rgb888, L>::new(core_lights),
-                |triangle, []| [levels[triangle]],
-                lit,
-                move |corner: Corner| [file_levels[corner.triangle]],
-                file_lit,
-            )
-        }
-        Shading::GlossyGouraud => {
-            let definition = Definition::new((model, surface), &view.rounded(), false);
-            shiny::draw_at_vertices(definition, view, core_lights)
-        }
-        Shading::Unlit => {
-            let colors = triangle_colors(model);
-            fixed::draw(
-                (model, surface),
-                view,
-                &Unlit::<Rgb888>::new(),
-                |_, []| [],
-                move |sample: Sample<0>| Some(colors[sample.triangle]),
-                |_| [],
-                move |sample: Sample<0>| Some(file_color(sample.triangle)),
-            )
-        }
         Shading::Colored => fixed::draw(
             (model, surface),
             view,
@@ -236,7 +254,7 @@ fn draw_lit<'a, L: Lighting>(
             fixed::draw(
                 (model, surface),
                 view,
-                &ColoredGouraud::<Rgb888, Affine, L>::new(core_lights),
+                &ColoredGouraud::<Rgb888, Affine, _>::new(view.lights.core()),
                 |_, corner| channels(&corner),
                 |sample: Sample<3>| Some(sample.varyings),
                 move |corner: Corner| {
@@ -246,20 +264,19 @@ fn draw_lit<'a, L: Lighting>(
                 |sample: Sample<3>| Some(sample.varyings),
             )
         }
-        Shading::Matcap => matcap::draw((model, surface, skins), view),
-        Shading::Textured | Shading::TexturedFlat | Shading::TexturedGouraud => {
-            draw_textured(model, surface, skins, view, core_lights)
-        }
         _ => {
-            let levels = corner_levels(model, surface, view);
+            let colors = triangle_colors(model);
+            let faces = &model.exact.faces.faces;
             fixed::draw(
                 (model, surface),
                 view,
-                &Gouraud::<Rgb888, LEVELS, L>::with_levels(core_lights),
-                |_, [place]| [ramp_level(place)],
-                lit,
-                move |corner: Corner| [levels[corner.vertex][0]],
-                file_lit,
+                &Unlit::<Rgb888>::new(),
+                |_, []| [],
+                move |sample: Sample<0>| Some(colors[sample.triangle]),
+                |_| [],
+                |sample: Sample<0>| {
+                    Some(faces[surface.faces[sample.triangle]].color.map(f64::from))
+                },
             )
         }
     }
@@ -292,13 +309,13 @@ fn flat_levels(model: &Model, surface: &Surface, view: &View) -> (Vec<f64>, Vec<
 const MATERIALS: &str = "a model has triangles, and these have materials";
 
 /// [`draw`] for shaders with textures.
-fn draw_textured<'a, L: Lighting>(
+fn draw_textured<'a>(
     model: &'a Model,
     surface: &'a Surface,
     skins: &'a Skins,
     view: &View,
-    core_lights: L,
 ) -> Result<Drawn<'a>, ViewError> {
+    let core_lights = view.lights.core();
     let textures = skins.filtered(view.filter);
     let all = (model, surface, skins);
     let texture_of = |material: usize| &skins.textures[material];

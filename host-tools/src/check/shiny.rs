@@ -160,18 +160,21 @@ pub(super) fn draw_at_vertices<'a, L: Lighting>(
     )
 }
 
+/// Returns the normal of a pixel from what the shader sees there.
+type Read<L, V> = fn(&shade::Sample<Judged<L, V>>) -> Option<[i32; 3]>;
+
 /// Draws with light at each pixel. `read` takes the normal from what a pixel sees; `placed` returns
 /// the normal of a corner and its position of 14 bits.
 pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
     definition: Definition<'a>,
     view: &View,
     shader: &Judged<L, V>,
-    read: fn(&shade::Sample<Judged<L, V>>) -> Option<[i32; 3]>,
+    read: Read<L, V>,
     placed: impl Fn(&OnScreen<Judged<L, V>>) -> ([[f64; 3]; 2], f64),
 ) -> Result<Drawn<'a>, ViewError> {
     let shader = Probe { shader: *shader, read };
     let Definition { model, surface, .. } = definition;
-    let Placed { picture, triangles, vertices, time, colors, fog } =
+    let Placed { picture, triangles, vertices, time, colors, blended, fog } =
         fixed::place::<7, _>(model, view, &shader, |_, corner| {
             let ([[x, y, z], [u, v, w]], q) = placed(&corner);
             [x * q, y * q, z * q, u * q, v * q, w * q, q]
@@ -239,6 +242,7 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
         picture,
         vertices,
         time,
+        blended,
         arithmetic: Box::new(arithmetic),
         end_to_end: fixed::end_to_end((model, surface), view, exact, shade),
     })

@@ -3,6 +3,7 @@
 
 use std::fs;
 
+mod blending;
 mod colored;
 mod display;
 mod filter;
@@ -92,6 +93,9 @@ const FRONT: View = View {
     perspective: Correction::Adaptive,
     filter: Filter::Nearest,
     display: None,
+    blending: Blending::Replace,
+    background: BACKGROUND,
+    opacity: 1.0,
     fog: None,
     lights: ViewLights::OVER_THE_SHOULDER,
 };

@@ -58,7 +58,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     let Skins { materials, file_materials, .. } = skins;
     let (perspective, filter) = (view.perspective, view.filter);
     let shader = Probe { shader: shader.clone(), read };
-    let Placed { picture, triangles, vertices, time, colors, fog } =
+    let Placed { picture, triangles, vertices, time, colors, blended, fog } =
         any_mode::with(perspective, || {
             fixed::place::<6, _>(model, view, &shader, |triangle, corner| {
                 let PlacedCorner { uv, inverse_w, light } = placed(triangle, corner);
@@ -118,6 +118,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
         picture,
         vertices,
         time,
+        blended,
         arithmetic: Box::new(arithmetic),
         end_to_end: fixed::end_to_end((model, surface), view, exact, shade),
     })

@@ -13,7 +13,9 @@ use rasterizer::{
     shade,
 };
 
-use super::{Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights};
+use super::{
+    BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights,
+};
 use crate::reference;
 
 /// How finely vertices are placed on the screen.
@@ -85,6 +87,12 @@ pub struct View {
     pub display: Option<Display>,
     /// What lights the model.
     pub lights: ViewLights,
+    /// How pixels are put onto the picture.
+    pub blending: Blending,
+    /// What blended pixels lie on.
+    pub background: [u8; 3],
+    /// What the opacity of all materials is multiplied by where pixels are blended, from 0 to 1.
+    pub opacity: f64,
     /// What colours fade into with the distance.
     pub fog: Option<Fog>,
 }
@@ -108,6 +116,9 @@ impl Default for View {
             filter: Filter::default(),
             display: None,
             lights: ViewLights::default(),
+            blending: Blending::default(),
+            background: BACKGROUND,
+            opacity: 1.0,
             fog: None,
         }
     }
@@ -139,6 +150,12 @@ pub enum ViewError {
         /// Where it ends.
         end: f64,
     },
+    /// Fog is drawn with one format of depth.
+    #[error("fog is drawn with u16 depth alone: it is the same with any depth, and with none")]
+    DepthInFog,
+    /// Fog is drawn without blending.
+    #[error("fog and blending are drawn one at a time")]
+    BlendingInFog,
     /// The core refuses the model in this view.
     #[error("{0}")]
     Project(#[from] ProjectError),
@@ -251,7 +268,7 @@ impl View {
     }
 
     /// Where the viewer is.
-    pub(super) fn reference_viewer(&self) -> reference::Viewer {
+    pub(super) const fn reference_viewer(&self) -> reference::Viewer {
         match self.projection {
             Projection::Perspective { .. } => reference::Viewer::At([0.0, 0.0, self.distance]),
             Projection::Orthographic { .. } => reference::Viewer::Toward([0.0, 0.0, 1.0]),

@@ -9,7 +9,7 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{Bounds, Checked, Checker, Display, Matrix, Outcome, Shading, View},
+    check::{BACKGROUND, Bounds, Checked, Checker, Display, Matrix, Outcome, Shading, View},
     model::Model,
 };
 use serde::Serialize;
@@ -32,6 +32,7 @@ Examples:
   host-tools check model.obj --filter trilinear --perspective every-16
   host-tools check model.obj --shading flat --colors binary --dither 8
   host-tools check model.obj --shading phong --light 1,2,2,0.5 --lamp 0,0.5,1.5,1
+  host-tools check model.obj --blend over --opacity 0.5
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
@@ -42,6 +43,8 @@ What is judged:
                 exact one: within half a degree; and the colour against that of the pixel's normal,
                 where a highlight may be off by what a cosine of 15 bits leaves of its power,
                 (1 + Ns / 32) / 256 of the light.
+                With --blend, the layers of each pixel from back to front, and their blended colour
+                against f64: 1/2 step of rounding for each layer, times what later ones let pass.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
@@ -225,8 +228,8 @@ pub(super) fn write_pictures(
     display: Option<Display>,
 ) -> Result<Legend> {
     let (difference, legend) = image::of_differences(checked, &Bounds::ARITHMETIC);
-    let fixed = image::of_fixed(&checked.fixed, image::BACKGROUND);
-    let reference = image::of_reference(&checked.end_to_end, image::BACKGROUND);
+    let fixed = image::of_fixed(&checked.fixed, BACKGROUND);
+    let reference = image::of_reference(&checked.end_to_end, BACKGROUND);
     if let (Some(path), Some(display)) = (&pictures.display, display) {
         let nearest = Display { dither: Matrix::None, ..display };
         let both = fixed.shown_by(display).beside(&fixed.shown_by(nearest));

@@ -14,10 +14,6 @@ pub(super) struct Image {
     pub(super) rgb: Vec<[u8; 3]>,
 }
 
-/// The background of the pictures: a grey-blue dark enough for light models and light enough for
-/// shadows.
-pub(super) const BACKGROUND: [u8; 3] = [0x28, 0x32, 0x40];
-
 /// The factor by which the difference picture amplifies colour differences. From 8 steps of 256 on
 /// they are at full strength, and a single step is still visible.
 pub(super) const AMPLIFICATION: f64 = 32.0;
@@ -211,6 +207,7 @@ mod tests {
             vertices: Vertices::default(),
             texels: None,
             normals: None,
+            blend: None,
             fixed_ms: 0.0,
             reference_ms: 0.0,
         };
@@ -232,6 +229,7 @@ mod tests {
                 DepthFormat::U16.definition().depth(DEPTH),
             ),
             depth: DepthFormat::U16,
+            blended: None,
         }
     }
 

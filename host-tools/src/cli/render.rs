@@ -8,7 +8,9 @@ use clap::{
     builder::{PathBufValueParser, TypedValueParser as _},
 };
 use host_tools::{
-    check::{self, Colors, Display, FixedPicture, Fog, Matrix, Shading, View, ViewError},
+    check::{
+        self, BACKGROUND, Colors, Display, FixedPicture, Fog, Matrix, Shading, View, ViewError,
+    },
     model::Model,
 };
 
@@ -28,6 +30,7 @@ Examples:
   host-tools render model.obj --colors binary --dither 8 --size 128x64
   host-tools render model.obj --filter bilinear --texture-size 64x64
   host-tools render model.obj --shading phong --light=-1,2,3,0.6 --lamp 1,0,1,0.5
+  host-tools render model.obj --blend add --opacity 0.3
   host-tools render model.obj --fog linear:2:4       The background hides what is far away
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
@@ -85,11 +88,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         let overwriting = Overwriting { force: arguments.force, inputs: &inputs };
         output::allow(&path, output::PNG, overwriting)?;
     }
-    let background = arguments.background.map_or(image::BACKGROUND, |Color(color)| color);
     arguments.view.check()?;
-    let (mut view, frames) = (arguments.view.view(Shading::of(&model)), arguments.view.frames);
+    let background = arguments.background.map_or(BACKGROUND, |Color(color)| color);
+    let view = arguments.view.view(Shading::of(&model));
     // Fog hides what it covers.
-    view.fog = view.fog.map(|fog| Fog { color: background, ..fog });
+    let fog = view.fog.map(|fog| Fog { color: background, ..fog });
+    let view = View { background, fog, ..view };
+    let frames = arguments.view.frames;
     let rgb565 = Display { colors: Colors::Rgb565, dither: Matrix::None };
     let display = view.display.or(arguments.rgb565.then_some(rgb565));
 

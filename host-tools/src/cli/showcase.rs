@@ -7,7 +7,7 @@ use std::{
 
 use anyhow::{Result, anyhow, bail};
 use host_tools::{
-    check::{Bounds, Shading, View},
+    check::{BACKGROUND, Bounds, Shading, View},
     model::{Options, thousands},
 };
 
@@ -48,7 +48,7 @@ struct Shown {
 fn show(path: &Path, force: bool) -> Result<Shown> {
     let model = convert::load(path, &Options::default())?;
     let view = View { shading: Shading::of(&model), ..View::default() };
-    let picture = image::of_fixed(&render::draw(path, &model, &view)?, image::BACKGROUND);
+    let picture = image::of_fixed(&render::draw(path, &model, &view)?, BACKGROUND);
     let worst = worst_frame(path, &model, &view, FRAMES)?;
 
     fs::create_dir_all(DIRECTORY).map_err(|error| {

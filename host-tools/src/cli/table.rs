@@ -1,7 +1,9 @@
 //! The comparison as a table and in words.
 
 use host_tools::{
-    check::{Bounds, Comparison, Deviation, Fault, Outcome, TexelError, VertexError, Wrong},
+    check::{
+        BlendError, Bounds, Comparison, Deviation, Fault, Outcome, TexelError, VertexError, Wrong,
+    },
     model::{Model, thousands},
 };
 
@@ -12,8 +14,6 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
     type Figure = fn(&Comparison) -> String;
     let Outcome { arithmetic, end_to_end, places, display } = outcome;
     let found = &arithmetic.deviation;
-    let bound =
-        |found: f64, bound: f64| format!("{bound} {}", if found <= bound { "ok" } else { "FAIL" });
     let coverage = bound(found.coverage_mismatches as f64, bounds.coverage_mismatches as f64);
     let depth = bound(found.depth_max_ulp, bounds.depth_max_ulp);
     let color = bound(found.color_max_error, bounds.color_max_error);
@@ -70,6 +70,22 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
         let most = format!("{:.4}", normals.normal_max_error_degrees);
         text += &line("Normal error at most, degrees", [&most, &bound, "", ""]);
     }
+    if let Some(blend) = arithmetic.blend {
+        let layers = thousands(blend.blend_most_layers);
+        text += &line("Layers of a pixel at most", [&layers, "", "", ""]);
+        let mismatches = thousands(blend.blend_layer_mismatches);
+        let verdict = bound(blend.blend_layer_mismatches as f64, 0.0);
+        text += &line("Layer mismatches, pixels", [&mismatches, &verdict, "", ""]);
+        let most = blend.blend_layer_max_error;
+        let verdict = bound(most, bounds.color_max_error);
+        text += &line("Layer colour error, of 255", [&most.to_string(), &verdict, "", ""]);
+        let verdict = blend.blend_worst.map_or_else(String::new, |worst| {
+            let verdict = if worst.is_within() { "ok" } else { "FAIL" };
+            format!("{:.4} {verdict}", worst.bound_steps)
+        });
+        let most = format!("{:.4}", blend.blend_max_error);
+        text += &line("Blended colour error, of 255", [&most, &verdict, "", ""]);
+    }
     let judged = thousands(places.judged);
     text += &line("Pixels judged by their place", ["", "", &judged, ""]);
     let wrong = bound(places.wrong as f64, 0.0);
@@ -87,6 +103,11 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
         }
     }
     text
+}
+
+/// A bound, and whether it is kept.
+fn bound(found: f64, bound: f64) -> String {
+    format!("{bound} {}", if found <= bound { "ok" } else { "FAIL" })
 }
 
 /// The comparisons in words.
@@ -129,6 +150,18 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
         }
         text += "\n  The bound of a normal: half a degree, where it is at least half as long as \
                  those of the corners. The colour is judged by the pixel's own normal.";
+    }
+    if let Some(blend) = arithmetic.blend {
+        if let Some(BlendError { pixel: [x, y], layers, error_steps, bound_steps }) =
+            blend.blend_worst.filter(|worst| !worst.is_within())
+        {
+            text += &format!(
+                "\n  Column {x} of row {y}: the blended colour of {layers} layers is \
+                 {error_steps:.4} steps off, and may be {bound_steps:.4}."
+            );
+        }
+        let reason: &str = blend.blend_bound.into();
+        text += &format!("\n  The bound of a blended colour: {reason}.");
     }
     let Deviation { pixels, coverage_mismatches, .. } = end_to_end.deviation;
     let share = 100.0 * coverage_mismatches as f64 / pixels.max(1) as f64;
@@ -217,6 +250,7 @@ mod tests {
             vertices: vertices(0.001),
             texels: None,
             normals: None,
+            blend: None,
             fixed_ms: 1.0,
             reference_ms: 2.0,
         };

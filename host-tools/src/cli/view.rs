@@ -6,15 +6,15 @@ use clap::{
 };
 use host_tools::{
     check::{
-        Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Lamp, MOST_LIGHTS, Matrix,
-        Projection, Shading, Subpixel, Sun, View, ViewLights,
+        BACKGROUND, Blending, Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Lamp,
+        MOST_LIGHTS, Matrix, Projection, Shading, Subpixel, Sun, View, ViewLights,
     },
     model::{Model, Options},
     reference,
 };
 use serde::Serialize;
 
-use super::{image, smoothing::Smoothing, textures::TextureArguments};
+use super::{smoothing::Smoothing, textures::TextureArguments};
 
 /// The largest width and height of a picture: the core's own limit.
 const MAX_SIZE: u32 = 2048;
@@ -70,6 +70,24 @@ pub(super) struct ViewOptions {
     /// Dither to them instead, by a matrix of this many rows
     #[arg(long, value_name = "ROWS", requires = "colors", value_parser = choice(&Matrix::NAMES))]
     dither: Option<Matrix>,
+    /// How pixels are put onto the picture; all but replace draw every layer from back to front,
+    /// with the opacity of the materials
+    #[arg(
+        long,
+        value_name = "MODE",
+        default_value = name(&Blending::NAMES, View::default().blending),
+        value_parser = choice(&Blending::NAMES)
+    )]
+    blend: Blending,
+    /// What the opacity of all materials is multiplied by with --blend, 0 to 1 in steps of 1/256
+    #[arg(
+        long,
+        value_name = "PART",
+        default_value_t = View::default().opacity,
+        value_parser = within(0.0, 1.0),
+        allow_negative_numbers = true
+    )]
+    opacity: f64,
     /// Fog by the distance from the camera's plane: none up to START and all from END on, or e to
     /// the -DENSITY a unit
     #[arg(long, value_name = "linear:START:END|exp:DENSITY", value_parser = fog)]
@@ -210,7 +228,10 @@ impl ViewOptions {
                 .colors
                 .map(|colors| Display { colors, dither: self.dither.unwrap_or_default() }),
             lights: self.lights(),
-            fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: image::BACKGROUND }),
+            blending: self.blend,
+            background: BACKGROUND,
+            opacity: self.opacity,
+            fog: self.fog.map(|law| Fog { law, by: self.fog_by, color: BACKGROUND }),
         }
     }
 
@@ -260,6 +281,8 @@ pub(super) struct Settings {
     colors: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     dither: Option<u32>,
+    blend: &'static str,
+    opacity: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fog: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -300,6 +323,8 @@ impl Settings {
             lamps: (view.lights.lamps.iter().flatten())
                 .map(|&Lamp { position: [x, y, z], half }| [x, y, z, half])
                 .collect(),
+            blend: name(&Blending::NAMES, view.blending),
+            opacity: view.opacity,
             fog: view.fog.map(|fog| law(fog.law)),
             fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             distance: view.distance,
@@ -322,6 +347,11 @@ impl Settings {
         } else {
             String::new()
         };
+        let blend = if self.blend == name(&Blending::NAMES, Blending::Replace) {
+            String::new()
+        } else {
+            format!(", blended by {} at {} of its opacity", self.blend, self.opacity)
+        };
         let fog = match (&self.fog, self.fog_by) {
             (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
             _ => String::new(),
@@ -331,7 +361,7 @@ impl Settings {
         let colors =
             self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{colors}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }
@@ -433,6 +463,7 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 #[cfg(test)]
 mod tests {
     use clap::Parser;
+    use host_tools::reference::Blend;
 
     use super::*;
 
@@ -457,7 +488,7 @@ mod tests {
     #[test]
     fn every_option_arrives() {
         let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
-                    every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
+                    every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
                     --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --colors gray2 --dither 4";
         let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
         let expected = View {
@@ -484,10 +515,13 @@ mod tests {
                 ],
                 lamps: [Some(Lamp { position: [-1.0, 0.0, 2.0], half: 1.5 }), None, None, None],
             },
+            blending: Blending::By(Blend::Screen),
+            background: BACKGROUND,
+            opacity: 0.25,
             fog: Some(Fog {
                 law: reference::Fog::Linear { start: 1.5, end: 9.0 },
                 by: FogBy::Vertex,
-                color: image::BACKGROUND,
+                color: BACKGROUND,
             }),
         };
         assert_eq!(options.view(Shading::Unlit), expected);
@@ -517,6 +551,8 @@ mod tests {
             ("--filter", &["linear", "Nearest"]),
             ("--colors", &["rgb", "", "1"]),
             ("--dither", &["2", "", "bayer"]),
+            ("--blend", &["alpha", ""]),
+            ("--opacity", &["1.1", "-0.5", "NaN"]),
             (
                 "--fog",
                 &[

@@ -58,9 +58,11 @@
 //! | mip levels | `mipmaps.rs` | Williams, "Pyramidal parametrics", SIGGRAPH 1983 |
 //! | stored depth | `depth.rs` | IEEE 754, without a sign |
 //! | colours of a display, dithering | `display.rs` | Bayer, "An optimum method for two-level rendition of continuous-tone pictures", ICC 1973; IEC 61966-2-1 |
+//! | layers over a background | `blend.rs` | W3C, Compositing and Blending Level 1 |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
+mod blend;
 mod camera;
 mod chord;
 mod clip;
@@ -87,6 +89,7 @@ mod texture;
 mod winding;
 mod wrap;
 
+pub use blend::{Blend, Layer};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
 pub use depth::DepthFormat;

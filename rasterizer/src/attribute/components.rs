@@ -2,7 +2,7 @@
 
 use core::fmt::Debug;
 
-use super::Interpolate;
+use super::{Interpolate, Plane};
 
 /// A number, or several, that can be interpolated in perspective: integers of up to 30 bits, all of
 /// which are divided by the same 1 / w.
@@ -39,6 +39,14 @@ pub trait Components: Interpolate + Debug {
 
     /// A step of it, from the change of each component from pixel to pixel.
     fn step_from(changes: Self::Each<i32>) -> Self::Walk;
+
+    /// The plane of what is stepped, if all covered pixels lie within so few columns and rows of
+    /// the anchor, together, that it is precise enough.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn short_plane(_: &Self::Field, _reach: u32) -> Option<Plane<Self::Walk>> {
+        None
+    }
 }
 
 /// The binary digits that a component has behind a number of 16 bits.

@@ -56,6 +56,12 @@ pub trait Field: Copy + core::fmt::Debug {
     /// the pixel at address 0 of row 0, in columns and rows, and a row has `pitch` addresses.
     #[must_use]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self;
+
+    /// The same in place, for functions that are large.
+    #[inline(always)]
+    fn count_addresses(&mut self, to_first: [i32; 2], pitch: i32) {
+        *self = self.over_addresses(to_first, pitch);
+    }
 }
 
 impl<T: Step> Field for Plane<T> {
@@ -73,6 +79,12 @@ impl<A: Field, B: Field> Field for (A, B) {
     #[inline(always)]
     fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
         (self.0.over_addresses(to_first, pitch), self.1.over_addresses(to_first, pitch))
+    }
+
+    #[inline(always)]
+    fn count_addresses(&mut self, to_first: [i32; 2], pitch: i32) {
+        self.0.count_addresses(to_first, pitch);
+        self.1.count_addresses(to_first, pitch);
     }
 }
 
@@ -214,7 +226,7 @@ impl<S: Subpixel> TriangleSetup<S> {
     }
 
     /// The columns and rows from the anchor to any covered pixel, together, at most.
-    pub(super) fn reach(&self) -> u32 {
+    pub(crate) fn reach(&self) -> u32 {
         let most = |[d1, d2]: [i32; 2]| d1.unsigned_abs().max(d2.unsigned_abs());
         ((most(self.dx) + most(self.dy)) >> S::BITS) + 2
     }

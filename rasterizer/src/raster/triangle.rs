@@ -113,8 +113,8 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Triangle<'_, S, 
             let setup = sorted.setup();
             depth = D::plane(&setup, quick, sorted.depths()).over_addresses(to_first, layout.pitch);
             codegen::in_memory(&mut depth);
-            varyings =
-                V::plane(&setup, quick, sorted.varyings()).over_addresses(to_first, layout.pitch);
+            varyings = V::plane(&setup, quick, sorted.varyings());
+            varyings.count_addresses(to_first, layout.pitch);
         } else {
             let Sorted { top, middle, bottom, middle_is_right, area } = sorted;
             (depth, varyings) =

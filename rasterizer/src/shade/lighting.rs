@@ -3,14 +3,13 @@
 use core::fmt::Debug;
 
 use super::{
-    Lamp, Light,
     place::{Ambit, Place},
     spot::{Spot, Viewpoint},
 };
 use crate::geometry::ObjectView;
 
-/// What lights a surface: a [`Light`], a [`Lamp`], or several, as an array or a tuple of up to four
-/// of any kind, such as `([Light; 2], Lamp)`.
+/// What lights a surface: a [`Light`](super::Light), a [`Lamp`](super::Lamp), or several, as an
+/// array or a tuple of up to four of any kind, such as `([Light; 2], Lamp)`.
 ///
 /// Their levels are added, and the sum is at most 1. Light is white: it makes a surface's colour
 /// brighter or darker in the values that pictures store. Coloured light is not supported, and
@@ -127,8 +126,32 @@ several!(Ambit<A::Place, B::Place>: A 0, B 1);
 several!(Ambit<Ambit<A::Place, B::Place>, C::Place>: A 0, B 1, C 2);
 several!(Ambit<Ambit<Ambit<A::Place, B::Place>, C::Place>, D::Place>: A 0, B 1, C 2, D 3);
 
-/// For programs that name the kinds of light.
-const _: () = {
-    const fn is_lighting<L: Lighting>() {}
-    is_lighting::<([Light; 2], Lamp)>();
-};
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        numbers::Vec3,
+        shade::{Level, Light},
+    };
+
+    const A: Light = Light::new(Vec3::lit("1", "2", "2"), Level::lit("0.1"), Level::lit("0.4"));
+    const B: Light = Light::new(Vec3::lit("-2", "1", "2"), Level::ZERO, Level::lit("0.3"));
+    const BRIGHT: Light = Light::new(Vec3::Z, Level::ZERO, Level::MAX);
+
+    #[test]
+    fn levels_of_several_lights_are_sums_up_to_full_light() {
+        let place = [0; 3];
+        for normal in [[127, 0, 0], [0, 127, 0], [0, 0, 127], [42, 85, 85], [0, 0, -127]] {
+            let [a, b] = [A.brightness(normal, place), B.brightness(normal, place)];
+            assert_eq!([A].brightness(normal, place), a);
+            assert_eq!([A, B].brightness(normal, place), a + b, "{normal:?}");
+            assert_eq!((B, A).brightness(normal, place), a + b, "{normal:?}");
+            assert_eq!((A, [B], B).brightness(normal, place), a + 2 * b, "{normal:?}");
+            assert_eq!((A, B, B, B).brightness(normal, place), a + 3 * b, "{normal:?}");
+            let full = (A, BRIGHT).brightness(normal, place);
+            assert_eq!(full, (a + BRIGHT.brightness(normal, place)).min(1 << 28));
+        }
+        assert_eq!([BRIGHT; 40].brightness([0, 0, 127], place), 1 << 28);
+        assert_eq!((BRIGHT, BRIGHT, BRIGHT, BRIGHT).brightness([0, 0, 127], place), 1 << 28);
+    }
+}

@@ -209,7 +209,7 @@ mod tests {
             let view = ObjectView::new(&MESH, &pose, &camera);
             let shader = Matcap::new(&textures).for_object(&view);
             let normal = {
-                let [x, y, z] = core::array::from_fn(|_| random.within(-100, 100) as f64);
+                let [x, y, z] = core::array::from_fn(|_| f64::from(random.within(-100, 100)));
                 let length = (x * x + y * y + z * z).sqrt().max(1.0);
                 [x, y, z].map(|part: f64| (part / length * 127.0).round() as i8)
             };

@@ -195,7 +195,7 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Inte
 
     #[inline(always)]
     fn whole(field: &Self::Field, at: [i32; 2], pixels: usize) -> Option<Piece<Self::Walk>> {
-        (pixels <= Anchored::<T, W, H, X, Y>::LONGEST).then(|| Self::walk(field, at, pixels).0)
+        (pixels <= Self::Walk::LONGEST).then(|| Self::walk(field, at, pixels).0)
     }
 
     #[inline(always)]
@@ -250,6 +250,17 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Comp
     fn step_from([u, v]: [i32; 2]) -> Self::Walk {
         Place::step([u << COMPONENT, v << COMPONENT])
     }
+
+    /// Steps are rounded down the rows as along them. It pays where one word holds both.
+    #[inline(always)]
+    fn short_plane(field: &Self::Field, reach: u32) -> Option<Plane<Self::Walk>> {
+        let LinearCoordinates { u, v, step } = field;
+        (Self::Walk::IS_PACKED && reach as usize <= Self::Walk::LONGEST).then(|| Plane {
+            anchor: Place::new([T::value_to_q24(u.anchor), T::value_to_q24(v.anchor)]),
+            per_column: *step,
+            per_row: Place::step([T::change_to_q24(u.per_row), T::change_to_q24(v.per_row)]),
+        })
+    }
 }
 
 /// A place in a texture of `W` by `H` texels, or a way from one to another.
@@ -270,6 +281,10 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Place<W, H, X, Y> {
         let longer = if W > H { W } else { H };
         (if Self::IS_PACKED { 16 } else { 24 }) - Side::new(longer).bits()
     };
+
+    /// Up to this number of pixels, rounding adds up to less than 1/16 of a texel: a step
+    /// is off by half a digit.
+    const LONGEST: usize = 1 << (Self::STEP_DIGITS - 3);
 
     const fn of(words: [u32; 2]) -> Self {
         Self { words, wrap: PhantomData }
@@ -343,7 +358,8 @@ impl<const W: usize, const H: usize, X: Wrap, Y: Wrap> Step for Place<W, H, X, Y
     #[inline(always)]
     fn wrapping_mul(self, count: i32) -> Self {
         let [a, b] = self.words;
-        Self::of([a.wrapping_mul(count as u32), b.wrapping_mul(count as u32)])
+        let b = if Self::IS_PACKED { 0 } else { b.wrapping_mul(count as u32) };
+        Self::of([a.wrapping_mul(count as u32), b])
     }
 }
 
@@ -369,8 +385,7 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Fiel
     }
 }
 
-/// The pieces of a span along which a place is linear: so short that rounding adds up to less than
-/// 1/16 of a texel.
+/// The pieces of a span along which a place is linear: up to [`Place::LONGEST`] pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Anchored<T: CoordinateFormat, const W: usize, const H: usize, X, Y> {
     first: [T::Value; 2],
@@ -382,12 +397,9 @@ pub struct Anchored<T: CoordinateFormat, const W: usize, const H: usize, X, Y> {
 impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap>
     Anchored<T, W, H, X, Y>
 {
-    /// A step is off by half a digit.
-    const LONGEST: usize = 1 << (Place::<W, H, X, Y>::STEP_DIGITS - 3);
-
     #[inline(always)]
     fn piece(&mut self) -> Piece<Place<W, H, X, Y>> {
-        let pixels = self.pixels.min(Self::LONGEST);
+        let pixels = self.pixels.min(Place::<W, H, X, Y>::LONGEST);
         let [u, v] = self.first;
         self.pixels -= pixels;
         self.first = self.first.wrapping_add(self.change.wrapping_mul(pixels as i32));
@@ -410,5 +422,59 @@ impl<T: CoordinateFormat, const W: usize, const H: usize, X: Wrap, Y: Wrap> Iter
             return None;
         }
         Some(self.piece())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{super::Repeat, *};
+    use crate::{numbers::S8, random::Random};
+
+    type Uv = Coordinates<i16, 128, 64, Repeat, Repeat>;
+
+    /// A plane of the packed word stays within 1/16 of a texel of those of u and v, beyond their
+    /// own 1/256, everywhere in reach.
+    #[test]
+    fn short_planes_are_within_a_sixteenth_of_a_texel() {
+        let mut random = Random::new(3);
+        let mut within = |low: i32, high: i32| low + (random.bits() % (high - low) as u64) as i32;
+        let mut short = 0;
+        for _ in 0..2000 {
+            let top = within(0, 256);
+            let corners = [
+                [within(0, 8000), top],
+                [within(0, 8000), top + within(0, 4000)],
+                [within(0, 8000), top + within(4000, 8000)],
+            ];
+            let [[ax, ay], [bx, by], [cx, cy]] = corners.map(|corner| corner.map(i64::from));
+            let area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+            // No sliver: beyond its pixels, u would carry from repeat to repeat into v.
+            if area.abs() < 1 << 23 {
+                continue;
+            }
+            let setup = TriangleSetup::<S8>::new(corners, area > 0, area);
+            let uv = [0; 3].map(|_| Uv::new([within(-8000, 8000) as i16, within(0, 9000) as i16]));
+            let field = Uv::plane(&setup, None, uv);
+            let Some(plane) = Uv::short_plane(&field, setup.reach()) else { continue };
+            short += 1;
+            // Covered or not: the plane goes on.
+            for row in 0..20 {
+                for column in -20..20 {
+                    let [got_u, got_v] = plane.at(column, row).uv();
+                    let u = i16::value_to_q24(field.u.at(column, row));
+                    let v = i16::value_to_q24(field.v.at(column, row));
+                    for (got, exact, side) in [(got_u, u, 128), (got_v, v, 64)] {
+                        // Modulo a repeat, in Q24.
+                        let off = got.wrapping_sub(exact) << 8 >> 8;
+                        let texels = f64::from(off) * f64::from(side) / 2f64.powi(24);
+                        assert!(texels.abs() < 1.0 / 16.0 + 1.0 / 256.0, "{texels}");
+                    }
+                }
+            }
+        }
+        assert!(short > 500, "{short}");
+        let setup = TriangleSetup::<S8>::new([[0, 0], [9000, 9000], [0, 9000]], true, 81_000_000);
+        let field = Uv::plane(&setup, None, [Uv::new([0, 0]); 3]);
+        assert!(Uv::short_plane(&field, setup.reach()).is_none(), "70 columns and rows");
     }
 }

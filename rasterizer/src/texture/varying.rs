@@ -3,7 +3,7 @@
 use super::{CoordinateFormat, Coordinates, Wrap};
 use crate::{
     attribute::{
-        Components, Interpolate, InverseW, Piece, QuickGradients, TriangleSetup, Varyings,
+        Components, Interpolate, InverseW, Piece, Plane, QuickGradients, TriangleSetup, Varyings,
     },
     numbers::Subpixel,
 };
@@ -114,5 +114,10 @@ impl<V: TextureVarying> Components for WithInverseW<V> {
     #[inline(always)]
     fn step_from(changes: V::Each<i32>) -> V::Walk {
         V::step_from(changes)
+    }
+
+    #[inline(always)]
+    fn short_plane(field: &V::Field, reach: u32) -> Option<Plane<V::Walk>> {
+        V::short_plane(field, reach)
     }
 }

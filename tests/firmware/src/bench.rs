@@ -15,7 +15,7 @@ use rasterizer::{
     mesh::Mesh,
     numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
     output::Rgb565Be,
-    scene::{Object, bin_words},
+    scene::{self, Object, bin_words},
     shade::{Flat, Gouraud, Level, Light, OnScreen, Shader},
 };
 
@@ -167,7 +167,7 @@ impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
         camera: &Camera,
     ) {
         let mode = [name, precision, mode];
-        self.measure::<S, D, _>(mode, object, |cost, object, vertices, bins, memory| {
+        self.measure::<S, D, _, _>(mode, object, |cost, object, vertices, bins, memory| {
             let bins = (rows < SIZE.height).then_some(bins);
             cost.add(object, camera, rows, vertices, bins, memory);
         });
@@ -194,27 +194,27 @@ impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
         camera: &Camera,
     ) {
         let mode = [name, precision, "bands of 16, vertices alone"];
-        self.measure::<S, u16, _>(mode, object, |cost, object, vertices, _, memory| {
+        self.measure::<S, u16, _, _>(mode, object, |cost, object, vertices, _, memory| {
             cost.add(object, camera, BAND_ROWS, vertices, None, memory);
         });
         let mode = [name, precision, "bands of 16, bins alone"];
-        self.measure::<S, u16, _>(mode, object, |cost, object, _, bins, memory| {
+        self.measure::<S, u16, _, _>(mode, object, |cost, object, _, bins, memory| {
             cost.add_on_demand::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, Some(bins), memory);
         });
         let mode = [name, precision, "bands of 16, neither"];
-        self.measure::<S, u16, _>(mode, object, |cost, object, _, _, memory| {
+        self.measure::<S, u16, _, _>(mode, object, |cost, object, _, _, memory| {
             cost.add_on_demand::<S, u16, _, PIXELS>(object, camera, BAND_ROWS, None, memory);
         });
     }
 
     /// Adds frames by `add`, and prints a line.
-    fn measure<S: Subpixel, D: Depth, Sh: Shader>(
+    fn measure<S: Subpixel, D: Depth, Sh: Shader, M: scene::Mode>(
         &mut self,
         [scene, precision, mode]: [&str; 3],
-        object: &Object<'_, Sh>,
+        object: &Object<'_, Sh, M>,
         mut add: impl FnMut(
             &mut Cost<SET_UP>,
-            &Object<'_, Sh>,
+            &Object<'_, Sh, M>,
             &mut [ScreenVertex<S, D, OnScreen<Sh>>],
             &mut [u32],
             &mut Memory<PIXELS>,

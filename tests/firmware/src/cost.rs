@@ -13,8 +13,10 @@ use rasterizer::{
     color::Rgb332,
     geometry::ScreenVertex,
     numbers::Subpixel,
-    output::{BandAreas, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target},
-    scene::{Modes, Object, Order, Projected, Vertices},
+    output::{
+        BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target,
+    },
+    scene::{Mode, Object, Order, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
 
@@ -34,6 +36,7 @@ macro_rules! declare {
         pub struct Cost<const SET_UP: bool> {
             $($(#[$doc])* $field: u64,)*
             last: Option<Rectangle>,
+            background: Rgb565Be,
         }
 
         /// The fields of a JSON object.
@@ -178,6 +181,17 @@ impl InMemory for OfPages {
     }
 }
 
+/// A blending for the targets of the scenes with depth `D`.
+pub trait OnTargets<D: Depth>:
+    Blending<Nothing<D>> + for<'f, 'd> Blending<Frame<'f, Rgb565Be, D::Buffer<'d>>>
+{
+}
+
+impl<D: Depth, B> OnTargets<D> for B where
+    B: Blending<Nothing<D>> + for<'f, 'd> Blending<Frame<'f, Rgb565Be, D::Buffer<'d>>>
+{
+}
+
 impl<const SET_UP: bool> Cost<SET_UP> {
     /// Adds a whole frame of a colour other than [`Rgb565Be`].
     pub fn add_frame<
@@ -238,6 +252,33 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         self.add_seen(seen.unwrap_or_else(fail), camera, rows, bins, memory);
     }
 
+    /// Adds a whole frame of an object that is blended with a grey, from back to front if there is
+    /// storage for the `order`.
+    pub fn add_blended<S: Subpixel, D: Depth, Sh, M, const PIXELS: usize>(
+        &mut self,
+        object: &Object<'_, Sh, M>,
+        camera: &Camera,
+        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+        order: Option<&mut [u32]>,
+        memory: &mut Memory<PIXELS>,
+    ) where
+        Sh: Shader<Color = Rgb565Be>,
+        M: Mode<Blending: OnTargets<D>>,
+    {
+        self.background = Rgb565Be::new(11, 20, 12);
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        let areas = BandAreas::new(camera.viewport(), camera.viewport().size.height);
+        match order {
+            Some(order) => {
+                let seen = timed(Stage::Draw, &mut self.draw, || seen.back_to_front(order));
+                self.draw_bands(&seen.unwrap_or_else(fail), areas, memory);
+            }
+            None => self.draw_bands(&seen, areas, memory),
+        }
+    }
+
     /// Sorts the triangles into `bins`, if there are any, and draws the bands.
     fn add_seen<V, Sh, const PIXELS: usize>(
         &mut self,
@@ -261,14 +302,15 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         }
     }
 
-    fn draw_bands<V, Sh, O: Order, const PIXELS: usize>(
+    fn draw_bands<V, Sh, M, O: Order, const PIXELS: usize>(
         &mut self,
-        seen: &Projected<'_, V, Perspective, Sh, Modes, O>,
+        seen: &Projected<'_, V, Perspective, Sh, M, O>,
         areas: BandAreas,
         memory: &mut Memory<PIXELS>,
     ) where
         V: Vertices<OnScreen<Sh>, Depth: Depth>,
         Sh: Shader<Color = Rgb565Be>,
+        M: Mode<Blending: OnTargets<V::Depth>>,
     {
         for area in areas {
             if SET_UP {
@@ -278,19 +320,19 @@ impl<const SET_UP: bool> Cost<SET_UP> {
             }
             let pixels = (area.size.width * area.size.height) as usize;
             let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
-            color.fill(Rgb565Be::BLACK);
+            color.fill(self.background);
             let mut frame = V::Depth::frame(color, depth, area);
             timed(Stage::Clear, &mut self.clear, || frame.clear_depth());
             let Ok(()) = timed(Stage::Draw, &mut self.draw, || seen.draw(&mut frame));
-            self.pixels_drawn +=
-                frame.pixels().iter().filter(|&&pixel| pixel != Rgb565Be::BLACK).count() as u64;
+            let drawn = frame.pixels().iter().filter(|&&pixel| pixel != self.background);
+            self.pixels_drawn += drawn.count() as u64;
         }
     }
 
     /// Counts a frame, its triangles, and the pixels that change with it.
-    fn count<V: Vertices<OnScreen<Sh>>, Sh: Shader>(
+    fn count<V: Vertices<OnScreen<Sh>>, Sh: Shader, M: Mode>(
         &mut self,
-        seen: &Projected<'_, V, Perspective, Sh>,
+        seen: &Projected<'_, V, Perspective, Sh, M>,
     ) {
         let Ok(()) = seen.for_each_triangle(|_, _| {
             self.triangles_drawn += 1;

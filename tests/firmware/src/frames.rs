@@ -14,20 +14,31 @@ use embedded_graphics_core::{
 use rasterizer::{
     attribute::{EveryPixel, FloatDepth},
     camera::{Camera, Distance, Orthographic, Perspective},
+    color::Alpha,
     fixed::types::I8F24,
     geometry::{CullNone, Pose, Projection, ScreenVertex},
-    mesh::Mesh,
+    mesh::{Mesh, MeshVertex},
     numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
-    output::{Bands, Frame, Replace, Rgb565Be, StoredDepth},
+    output::{
+        Add, Bands, Blending, Frame, KeepDepth, Multiply, Over, Replace, Rgb565Be, Screen,
+        StoredDepth,
+    },
     scene::{Mode, Object, bin_words},
     shade::{
-        AtVertices, Colored, ColoredGouraud, Density, Flat, Fog, Fogged, Gouraud, Light, Matcap,
-        OnScreen, Shader, Textured, TexturedFlat, TexturedGouraud,
+        AtVertices, Colored, ColoredGouraud, Density, Faded, Flat, Fog, Fogged, GlossyGouraud,
+        Gouraud, Level, Light, Matcap, OnScreen, Phong, Shader, Textured, TexturedFlat,
+        TexturedGouraud,
     },
     texture::{Bilinear, Offset, PerPixel, Trilinear},
 };
 
-use crate::{bench::sun, console, cost::fail, memory::Memory, models};
+use crate::{
+    bench::{shades::LAMP, sun},
+    console,
+    cost::fail,
+    memory::Memory,
+    models, shiny,
+};
 
 /// Width and height of the frames: 160 KB of colour and depth.
 pub const SIDE: u32 = 200;
@@ -78,8 +89,89 @@ pub fn run(memory: &mut Memory<PIXELS>) {
     flat(memory, light);
     floating_depth(&knot, memory);
     textured(memory, light);
+    lit(memory, light);
     colors::dithered(memory, light);
     fog(memory, light);
+    blended(memory, light);
+}
+
+/// Several lights, a lamp, and highlights at vertices and pixels: each in one precision.
+fn lit(memory: &mut Memory<PIXELS>, light: Light) {
+    let fill = Light::new(Vec3::lit("2", "-1", "1"), Level::ZERO, Level::lit("0.4"));
+    let all = ([light, fill], LAMP);
+    lit_with::<S4, _>("gouraud lamp S4", Gouraud::new(all), memory);
+    lit_with::<S8, _>("glossy gouraud S8", GlossyGouraud::new(light), memory);
+    lit_with::<S4, _>("phong S4", Phong::new(light), memory);
+    lit_with::<S8, _>("phong lamp S8", Phong::new(all), memory);
+    lit_with::<S4, _>("phong near S4", Phong::new(light).with_near_viewer(), memory);
+}
+
+/// Filling the picture, with the surface through the near plane, and from inside.
+fn lit_with<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+    name: &str,
+    shader: Sh,
+    memory: &mut Memory<PIXELS>,
+) {
+    let pose = Pose::rotated(Rotation::about_x(Turn::degrees(25)));
+    let sphere = Object::new(&shiny::SPHERE, shader).posed(pose).culled(CullNone);
+    for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let [hash, _] =
+            draw::<_, S, u16, _, _, { models::SPHERE.vertex_count() }>(&sphere, &camera, memory);
+        console::line(format_args!("sphere {view} {name} {hash:08x}"));
+    }
+}
+
+/// The gear as a body seen through itself, in each mode, sorted from back to front.
+fn blended(memory: &mut Memory<PIXELS>, light: Light) {
+    const PART: Alpha = Alpha::lit("0.4");
+    let gouraud = Gouraud::new(light);
+    blended_by("over", gouraud, KeepDepth(Over(PART)), memory);
+    blended_by("add", gouraud, KeepDepth(Add(PART)), memory);
+    blended_by("multiply", gouraud, Multiply(PART), memory);
+    blended_by("screen", gouraud, Screen(PART), memory);
+    let faded = Faded::new(gouraud, |vertex: &MeshVertex<'_>| {
+        let [x, ..] = vertex.position();
+        Alpha::from_bits(((i32::from(x) + 32_768) >> 8) as u16)
+    });
+    blended_by("over by vertex", faded, KeepDepth(Over(Alpha::OPAQUE)), memory);
+}
+
+/// Whole from stored vertices in one precision, and again in bands from vertices on demand.
+fn blended_by<Sh, B>(name: &str, shader: Sh, blending: B, memory: &mut Memory<PIXELS>)
+where
+    Sh: Shader<Color = Rgb565Be>,
+    B: for<'f, 'd> Blending<Frame<'f, Rgb565Be, &'d mut [u16]>>,
+{
+    const TRIANGLES: usize = models::GEAR.triangle_count();
+    let pose = Pose::rotated(Rotation::about_x(Turn::degrees(25)));
+    let gear = Object::new(&models::GEAR, shader).posed(pose).culled(CullNone).blended(blending);
+    let mut vertices = [ScreenVertex::<S4, u16, OnScreen<Sh>>::EMPTY; models::GEAR.vertex_count()];
+    let mut order = [0; TRIANGLES];
+    let Memory { color, depth } = memory;
+    for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
+        let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
+            .unwrap_or_else(fail);
+        let seen = gear.project(&camera, &mut vertices).unwrap_or_else(fail);
+        let seen = seen.back_to_front(&mut order).unwrap_or_else(fail);
+        let mut frame = Frame::new(color, depth, AREA).unwrap_or_else(fail);
+        frame.clear(BACKGROUND.into());
+        let Ok(()) = seen.draw(&mut frame);
+        let whole = hash_of(0, frame.pixels());
+
+        let walked = gear.project_on_demand(&camera, S4).unwrap_or_else(fail);
+        let walked = walked.back_to_front(&mut order).unwrap_or_else(fail);
+        let pixels = (SIDE * ROWS) as usize;
+        let mut bands =
+            Bands::new(AREA, &mut color[..pixels], &mut depth[..pixels]).unwrap_or_else(fail);
+        let mut display = Hashing(0);
+        let background =
+            |band: &mut Frame<'_, Rgb565Be, &mut [u16]>| band.clear_color(BACKGROUND.into());
+        let Ok(()) = bands.show(&mut display, background, |band| walked.draw(band));
+        assert_eq!(whole, display.0, "blended bands differ from the whole frame");
+        console::line(format_args!("gear {view} blended {name} S4 {whole:08x}"));
+    }
 }
 
 /// The textured cube: stored, filtered, corrected and lit in several ways, each in one precision.

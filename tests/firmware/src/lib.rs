@@ -16,5 +16,6 @@ pub mod models;
 pub mod nothing;
 pub mod readme;
 pub mod scaling;
+pub mod shiny;
 pub mod sizes;
 pub mod surface;

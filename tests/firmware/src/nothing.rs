@@ -5,7 +5,7 @@ use core::{convert::Infallible, hint::black_box, marker::PhantomData};
 use embedded_graphics_core::primitives::Rectangle;
 use rasterizer::{
     attribute::DepthFormat,
-    output::{Rgb565Be, Target},
+    output::{Readable, Rgb565Be, Target},
     raster::{FragmentOf, Layout, Primitive, Window},
     shade::Outcome,
 };
@@ -46,6 +46,18 @@ impl<D: DepthFormat> Target for Nothing<D> {
             black_box(span);
             Ok(())
         })
+    }
+}
+
+/// Nothing is read either.
+impl<D: DepthFormat> Readable for Nothing<D> {
+    fn blend<Q: Primitive<Depth = D>, O: Outcome<Rgb565Be>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        pixel: impl Fn(Rgb565Be, FragmentOf<Q>) -> O + Copy,
+    ) -> Result<(), Infallible> {
+        self.shade(primitive, window, move |fragment| pixel(Rgb565Be::BLACK, fragment))
     }
 }
 

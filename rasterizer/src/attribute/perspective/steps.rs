@@ -10,9 +10,9 @@ use super::{
 };
 use crate::{
     attribute::{
-        Components, Field, Interpolate, InverseW, Piece, QuickGradients, Step, TriangleSetup,
+        Components, Field, Interpolate, InverseW, Piece, Plane, QuickGradients, Step, TriangleSetup,
     },
-    numbers::{Subpixel, leading_zeros},
+    numbers::Subpixel,
 };
 
 /// Numbers of a vertex with near / w.
@@ -40,6 +40,8 @@ impl<P: Pace> Correction for P {
 /// A triangle's numbers as functions of the pixel.
 #[derive(Clone, Copy, Debug)]
 pub enum SteppedField<V: Components> {
+    /// Linear on the screen, in what pixels step.
+    Short(Plane<V::Walk>, InverseW),
     /// Linear on the screen.
     Affine(V::Field, InverseW),
     /// Divided, by the law of the steps' lengths.
@@ -51,13 +53,19 @@ pub enum SteppedField<V: Components> {
 
 impl<V: Components> Field for SteppedField<V> {
     #[inline(always)]
-    fn over_addresses(self, to_first: [i32; 2], pitch: i32) -> Self {
+    fn over_addresses(mut self, to_first: [i32; 2], pitch: i32) -> Self {
+        self.count_addresses(to_first, pitch);
+        self
+    }
+
+    // codegen: in place, because a value that is returned is copied at its largest size.
+    #[inline(always)]
+    fn count_addresses(&mut self, to_first: [i32; 2], pitch: i32) {
         match self {
-            Self::Affine(field, inverse_w) => {
-                Self::Affine(field.over_addresses(to_first, pitch), inverse_w)
-            }
-            Self::Divided(field, law) => Self::Divided(field.over_addresses(to_first, pitch), law),
-            Self::Quick(field) => Self::Quick(field.over_addresses(to_first, pitch)),
+            Self::Short(plane, _) => plane.count_addresses(to_first, pitch),
+            Self::Affine(field, _) => field.count_addresses(to_first, pitch),
+            Self::Divided(field, _) => field.count_addresses(to_first, pitch),
+            Self::Quick(field) => field.count_addresses(to_first, pitch),
         }
     }
 }
@@ -78,7 +86,10 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         let corners = Corners::new([a, b, c].map(|corner| (corner.value, corner.inverse_w)));
         if P::is_affine(&corners) {
             let field = V::plane(setup, quick, [a.value, b.value, c.value]);
-            return SteppedField::Affine(field, a.inverse_w);
+            return match V::short_plane(&field, setup.reach()) {
+                Some(plane) => SteppedField::Short(plane, a.inverse_w),
+                None => SteppedField::Affine(field, a.inverse_w),
+            };
         }
         let bits = corners.bits();
         let quotient = Quotient::new(setup, quick, &corners, bits);
@@ -94,6 +105,9 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         pixels: usize,
     ) -> Option<Piece<SteppedWalk<V>>> {
         match field {
+            SteppedField::Short(plane, inverse_w) => {
+                Some(SteppedWalk::affine(plane.piece(at, pixels), *inverse_w))
+            }
             SteppedField::Affine(field, inverse_w) => {
                 Some(SteppedWalk::affine(V::whole(field, at, pixels)?, *inverse_w))
             }
@@ -108,6 +122,9 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         pixels: usize,
     ) -> (Piece<SteppedWalk<V>>, Rest<V>) {
         match field {
+            SteppedField::Short(plane, inverse_w) => {
+                (SteppedWalk::affine(plane.piece(at, pixels), *inverse_w), Rest::Nothing)
+            }
             SteppedField::Affine(field, inverse_w) => {
                 let (piece, rest) = V::walk(field, at, pixels);
                 (SteppedWalk::affine(piece, *inverse_w), Rest::Affine(rest, *inverse_w))
@@ -131,6 +148,9 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         mut visit: impl FnMut(Piece<SteppedWalk<V>>),
     ) {
         match field {
+            SteppedField::Short(plane, inverse_w) => {
+                visit(SteppedWalk::affine(plane.piece(at, pixels), *inverse_w));
+            }
             SteppedField::Affine(field, inverse_w) => {
                 V::for_each_piece(field, at, pixels, |piece| {
                     visit(SteppedWalk::affine(piece, *inverse_w));
@@ -217,6 +237,8 @@ impl<V: Components> Step for SteppedWalk<V> {
 /// What follows a span's first piece.
 #[derive(Debug)]
 pub enum Rest<V: Components> {
+    /// It was the whole span.
+    Nothing,
     /// Linear on the screen.
     Affine(V::Rest, InverseW),
     /// Divided.
@@ -231,6 +253,7 @@ impl<V: Components> Iterator for Rest<V> {
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
         match self {
+            Self::Nothing => None,
             Self::Affine(rest, inverse_w) => Some(SteppedWalk::affine(rest.next()?, *inverse_w)),
             Self::Divided(pieces) => (pieces.pixels != 0).then(|| pieces.piece()),
             Self::Quick(pieces) => (pieces.pixels != 0).then(|| pieces.piece()),
@@ -317,17 +340,31 @@ const PARTS: [u16; 65] = {
     parts
 };
 
+/// The binary logarithms of 1 to 64, rounded down.
+// codegen: a table, because a core without an instruction for it takes long.
+const LOGARITHMS: [u8; 65] = {
+    let mut logarithms = [0; 65];
+    let mut n = 1;
+    while n <= 64 {
+        logarithms[n] = n.ilog2() as u8;
+        n += 1;
+    }
+    logarithms
+};
+
 /// What a change over `pixels` pixels, up to 64, is multiplied and shifted to the right by, for
 /// that from each to the next: 2^15 times too much, and within 2^-15 of it. Over 0 pixels it is 0.
 #[inline(always)]
-pub(super) const fn part(pixels: usize) -> (i32, u32) {
-    let part = if pixels < PARTS.len() { PARTS[pixels] as i32 } else { 0 };
-    (part, 31 - leading_zeros(pixels as u32 | 1))
+pub(super) fn part(pixels: usize) -> (i32, u32) {
+    match (PARTS.get(pixels), LOGARITHMS.get(pixels)) {
+        (Some(&part), Some(&log2)) => (part.into(), log2.into()),
+        _ => (0, 0),
+    }
 }
 
 /// A change over `pixels` pixels, 1 to 64, as that from each to the next.
 #[inline(always)]
-const fn shared(change: i32, pixels: usize) -> i32 {
+fn shared(change: i32, pixels: usize) -> i32 {
     let (part, log2) = part(pixels);
     let (upper, lower) = (change >> 16, change & 0xFFFF);
     (2 * upper * part + ((lower * part) >> 15)) >> log2

@@ -1,8 +1,11 @@
 //! The bench scenes of light, colour, blending and fog.
 
+mod blend;
 mod color;
 mod fog;
+mod light;
 
+pub(crate) use light::LAMP;
 use rasterizer::{
     camera::Camera,
     mesh::Mesh,
@@ -27,6 +30,8 @@ pub fn main<const SET_UP: bool>() {
         let memory = &mut MEMORY.borrow_ref_mut(token);
         let mut scenes = Scenes::<SET_UP> { bench: Bench(memory), camera: view("400", "2.4") };
         scenes.base();
+        scenes.blend();
+        scenes.light();
         scenes.colors();
         scenes.fog();
     });

@@ -20,9 +20,9 @@ pub(super) fn dithered(memory: &mut Memory<PIXELS>, light: Light) {
     for (view, distance) in [("near", "3"), ("cut", "0.9"), ("inside", "0.05")] {
         let camera = Camera::at(Vec3::lit("0", "0", distance), Rotation::IDENTITY, LENS, AREA)
             .unwrap_or_else(fail);
-        let binary = packed::<BinaryColor, 8>(light, pose, &camera, memory);
-        let two_bits = packed::<Gray2, 4>(light, pose, &camera, memory);
-        let four_bits = packed::<Gray4, 8>(light, pose, &camera, memory);
+        let binary = packed::<BinaryColor, 8, VERTICES>(light, pose, &camera, memory);
+        let two_bits = packed::<Gray2, 4, VERTICES>(light, pose, &camera, memory);
+        let four_bits = packed::<Gray4, 8, VERTICES>(light, pose, &camera, memory);
         let shader = Dithered::<_, Rgb565Be>::new(Gouraud::<Rgb888>::new(light));
         let object = Object::new(&models::ROCKET, shader).posed(pose);
         let [sixteen, _] = draw::<_, S4, u16, _, _, VERTICES>(&object, &camera, memory);
@@ -34,7 +34,7 @@ pub(super) fn dithered(memory: &mut Memory<PIXELS>, light: Light) {
 
 /// Draws a packed frame as a whole and again in bands, and checks that they are the same. Returns
 /// the hash of its bytes.
-fn packed<C: PackedColor + Dither + 'static, const SIZE: usize>(
+fn packed<C: PackedColor + Dither + 'static, const SIZE: usize, const VERTICES: usize>(
     light: Light,
     pose: Pose,
     camera: &Camera,

@@ -11,7 +11,7 @@ use embedded_graphics_core::{
     primitives::Rectangle,
 };
 use rasterizer::{
-    attribute::{DepthFormat, NoDepth},
+    attribute::NoDepth,
     geometry::{ClipNone, ScreenVertex},
     numbers::S4,
     output::{Direct, InPages, PackedFrame},
@@ -52,7 +52,7 @@ impl Scene for DitheredPacked {
 
     const MEMORY: Packed = Packed {
         bytes: [0; BYTES],
-        depth: [u16::ZERO; PIXELS],
+        depth: [0; PIXELS],
         vertices: [ScreenVertex::EMPTY; BALL.vertex_count()],
     };
 

@@ -14,7 +14,7 @@ use rasterizer::{
     camera::Camera,
     geometry::{Pose, Projection, ScreenVertex},
     numbers::{Rotation, Subpixel, Turn, Vec3},
-    output::{self, Direct, Replace, StoredDepth},
+    output::{self, Blending, Direct, Frame, FrameDepth, Replace, StoredDepth},
     scene::{Mode, Object},
     shade::Shader,
 };
@@ -84,6 +84,17 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate, const PIXELS: usize, const VER
     pub(super) const PICTURE: Rectangle = picture(PIXELS as u32 / ROWS);
 }
 
+/// A blending for bands with this depth.
+pub(super) trait OnBands<D: FrameDepth>:
+    for<'f, 'd> Blending<Frame<'f, Rgb565, D::Buffer<'d>>>
+{
+}
+
+impl<D: FrameDepth, B> OnBands<D> for B where
+    B: for<'f, 'd> Blending<Frame<'f, Rgb565, D::Buffer<'d>>>
+{
+}
+
 impl<S, D, V, const PIXELS: usize, const VERTICES: usize> Bands<S, D, V, PIXELS, VERTICES>
 where
     S: Subpixel,
@@ -94,7 +105,7 @@ where
     pub(super) fn draw<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
-        M: Mode<Blending = Replace>,
+        M: Mode<Blending: OnBands<D>>,
     >(
         &mut self,
         object: &Object<'_, Sh, M>,
@@ -145,6 +156,24 @@ where
     ) -> Option<()> {
         // By reference, as an object that is moved out of the result would be on the stack twice.
         let seen = object.project(camera, &mut self.vertices);
+        let Ok(seen) = &seen else { return None };
+        let mut bands = output::Bands::without_depth(Self::PICTURE, &mut self.color).ok()?;
+        bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
+    }
+
+    /// The same from back to front.
+    pub(super) fn draw_sorted<
+        P: Projection,
+        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
+        M: Mode<Blending: OnBands<NoDepth>>,
+    >(
+        &mut self,
+        order: &mut [u32],
+        object: &Object<'_, Sh, M>,
+        camera: &Camera<P>,
+        display: &mut Display,
+    ) -> Option<()> {
+        let seen = object.project(camera, &mut self.vertices).ok()?.back_to_front(order);
         let Ok(seen) = &seen else { return None };
         let mut bands = output::Bands::without_depth(Self::PICTURE, &mut self.color).ok()?;
         bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()

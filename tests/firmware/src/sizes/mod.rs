@@ -8,10 +8,12 @@
 //! `measure` runs it in QEMU and reads the RAM when the core asks for a reset: the buffers, the
 //! checksum, and how far down the stack has reached.
 
+mod blended;
 mod color;
 mod display;
 mod fog;
 mod frames;
+mod light;
 pub mod scenes;
 mod textured;
 

@@ -18,8 +18,10 @@ use rasterizer::{
     shade::{Flat, Gouraud, Level, Light, Unlit},
 };
 
+pub use super::blended::{BlendedOver, BlendedSorted};
 pub use super::color::{DitheredDirect, DitheredPacked};
 pub use super::fog::{FogPixels, FogVertices, Matcap, VertexColors};
+pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };

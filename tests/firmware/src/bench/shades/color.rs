@@ -35,7 +35,7 @@ impl<const SET_UP: bool> Scenes<'_, SET_UP> {
     fn sphere<F: InMemory, Sh: Shader<Color = F::Color>>(&mut self, name: &str, shader: Sh) {
         let object = Object::new(&models::SPHERE, shader);
         let camera = &self.camera;
-        self.bench.measure::<Suited, u16, _>(
+        self.bench.measure::<Suited, u16, _, _>(
             [name, SUITED, "whole"],
             &object,
             |cost, object, vertices, _, memory| {

@@ -1,0 +1,305 @@
+//! A model blended with itself and a background, judged layer by layer.
+//!
+//! The core draws all layers of each pixel from back to front, without storing depth. A recorder in
+//! the place of the blending mode keeps each layer's colour and alpha, and blends by the same
+//! function of [`Composite`] as the mode does. Three things are compared:
+//!
+//! * **layers**: each pixel has those that the reference has there, in the order of the triangles;
+//! * **colours of layers**, also of those that a depth test would hide, with the reference's, for
+//!   shaders whose arithmetic has one right colour;
+//! * **the blended colour** with the same layers blended in f64: what rounding each layer to 8 bits
+//!   leaves.
+
+use std::cell::RefCell;
+
+use embedded_graphics_core::{
+    geometry::Point,
+    pixelcolor::{Rgb888, RgbColor},
+    primitives::PointsIter as _,
+};
+use rasterizer::{
+    color::{Alpha, Composite},
+    mesh::MeshMaterial,
+    output::{Blending as CoreBlending, Factor as _, MaterialOpacity, Readable},
+    raster::{FragmentOf, Primitive, Window},
+    shade::Outcome,
+};
+
+use super::{fixed::ShownColor, view::View};
+use crate::reference::{Blend, Fragment, Layer, Picture};
+
+/// A background for pictures: a grey-blue dark enough for light models and light enough for
+/// shadows.
+pub const BACKGROUND: [u8; 3] = [0x28, 0x32, 0x40];
+
+/// How pixels are put onto the picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Blending {
+    /// They replace what is there.
+    #[default]
+    Replace,
+    /// From back to front, without storing depth.
+    By(Blend),
+}
+
+impl Blending {
+    /// All of them, each with its name on the command line.
+    pub const NAMES: [(&'static str, Self); 5] = [
+        ("replace", Self::Replace),
+        ("over", Self::By(Blend::Over)),
+        ("add", Self::By(Blend::Add)),
+        ("multiply", Self::By(Blend::Multiply)),
+        ("screen", Self::By(Blend::Screen)),
+    ];
+}
+
+/// An alpha of the core for an opacity from 0 to 1, rounded to its unit.
+pub(super) fn alpha(opacity: f64) -> Alpha {
+    Alpha::from_bits((opacity * 256.0).round() as u16)
+}
+
+/// A layer of a pixel as the core draws it.
+type Drawn = (Point, Rgb888, Alpha);
+
+/// A blending mode of the core, chosen at run time, that keeps the layers that it is given.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Recorder<'r> {
+    pub(super) blend: Blend,
+    pub(super) factor: MaterialOpacity,
+    pub(super) layers: &'r RefCell<Vec<Drawn>>,
+}
+
+impl Recorder<'_> {
+    fn put(&self, at: Point, stored: Rgb888, (new, alpha): (Rgb888, Alpha)) -> Rgb888 {
+        let alpha = alpha.scaled(self.factor.alpha());
+        self.layers.borrow_mut().push((at, new, alpha));
+        match self.blend {
+            Blend::Over => new.over(stored, alpha),
+            Blend::Add => Composite::add(new, stored, alpha),
+            Blend::Multiply => new.multiply(stored, alpha),
+            Blend::Screen => new.screen(stored, alpha),
+        }
+    }
+}
+
+impl<T: Readable<Color: ShownColor>> CoreBlending<T> for Recorder<'_> {
+    fn of_material(self, material: &MeshMaterial<'_>) -> Self {
+        Self { factor: self.factor.of_material(material), ..self }
+    }
+
+    fn shade<Q: Primitive<Depth = T::Depth>, O: Outcome<T::Color>>(
+        self,
+        target: &mut T,
+        primitive: &Q,
+        window: &Window,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
+    ) -> Result<(), T::Error> {
+        target.blend(primitive, window, move |stored, fragment| {
+            let at = Point::new(fragment.column, fragment.row);
+            Recorded { recorder: self, at, stored, new: pixel(fragment) }
+        })
+    }
+
+    fn fill<Q: Primitive<Depth = T::Depth>>(
+        self,
+        target: &mut T,
+        primitive: &Q,
+        window: &Window,
+        color: T::Color,
+    ) -> Result<(), T::Error> {
+        self.shade(target, primitive, window, move |_| color)
+    }
+}
+
+struct Recorded<'r, C, O> {
+    recorder: Recorder<'r>,
+    at: Point,
+    stored: C,
+    new: O,
+}
+
+impl<C: ShownColor, O: Outcome<C>> Outcome<C> for Recorded<'_, C, O> {
+    const DISCARDS: bool = O::DISCARDS;
+    const WRITES_DEPTH: bool = O::WRITES_DEPTH;
+
+    fn color(self) -> Option<C> {
+        let (new, alpha) = self.new.layer()?;
+        Some(self.recorder.put(self.at, self.stored.into(), (new.into(), alpha)).into())
+    }
+}
+
+/// A model that the core has blended.
+#[derive(Clone, Debug)]
+pub(super) struct Layers {
+    blend: Blend,
+    background: [u8; 3],
+    /// The blended colours, row by row.
+    pub(super) colors: Vec<[u8; 3]>,
+    /// The layers of each pixel in the order in which they were drawn.
+    layers: Vec<Vec<Layer>>,
+    /// The place of each triangle of the tables in the order from back to front.
+    ranks: Vec<usize>,
+}
+
+impl Layers {
+    /// What was drawn of a view, and the order of the triangles of a mesh of `count`.
+    pub(super) fn new(
+        (view, blend): (&View, Blend),
+        colors: impl Iterator<Item = Rgb888>,
+        drawn: &[Drawn],
+        order: impl Iterator<Item = usize>,
+        count: usize,
+    ) -> Self {
+        let area = view.area();
+        let channels = |color: Rgb888| [color.r(), color.g(), color.b()];
+        let mut layers = vec![Vec::new(); area.points().count()];
+        for &(at, color, alpha) in drawn {
+            let from_corner = at - area.top_left;
+            let index = from_corner.y as usize * area.size.width as usize + from_corner.x as usize;
+            let color = channels(color).map(f64::from);
+            layers[index].push(Layer { color, alpha: f64::from(alpha.to_bits()) / 256.0 });
+        }
+        let mut ranks = vec![usize::MAX; count];
+        for (rank, triangle) in order.enumerate() {
+            ranks[triangle] = rank;
+        }
+        Self {
+            blend,
+            background: view.background,
+            colors: colors.map(channels).collect(),
+            layers,
+            ranks,
+        }
+    }
+
+    /// Compares with the reference on the core's own vertices. `has_colors` tells whether its
+    /// colour of each layer is the only right one.
+    pub(super) fn judge(&self, reference: &Picture, has_colors: bool) -> Blended {
+        let mut found = Blended::default();
+        for (index, (layers, &color)) in self.layers.iter().zip(&self.colors).enumerate() {
+            let [x, y] = [index % reference.width(), index / reference.width()];
+            let mut exact: Vec<&Fragment> = reference.fragments(x, y).iter().collect();
+            exact.sort_by_key(|fragment| self.ranks[fragment.triangle]);
+            found.blend_pixels += usize::from(!layers.is_empty());
+            found.blend_most_layers = found.blend_most_layers.max(layers.len());
+            if exact.len() != layers.len() {
+                found.blend_layer_mismatches += 1;
+            } else if has_colors {
+                for (fragment, layer) in exact.iter().zip(layers) {
+                    let error = distance(fragment.color.map(f64::round), layer.color);
+                    found.blend_layer_max_error = found.blend_layer_max_error.max(error);
+                }
+            }
+            found.add_pixel(self.error([x, y], layers, color));
+        }
+        found
+    }
+
+    fn error(&self, pixel: [usize; 2], layers: &[Layer], color: [u8; 3]) -> BlendError {
+        let exact = self.blend.put_all(self.background.map(f64::from), layers);
+        let error_steps = distance(exact, color.map(f64::from));
+        let bound = |channel: usize| {
+            layers.iter().fold(0.0, |bound, &layer| bound * self.blend.passes(layer, channel) + 0.5)
+        };
+        let bound_steps = [0, 1, 2].map(bound).into_iter().fold(0.0, f64::max);
+        BlendError { pixel, layers: layers.len(), error_steps, bound_steps }
+    }
+}
+
+/// Faults for tests.
+#[cfg(test)]
+impl Layers {
+    pub(super) fn first_with_layers(&self, count: usize) -> usize {
+        self.layers.iter().position(|layers| layers.len() >= count).unwrap()
+    }
+
+    pub(super) fn drop_layer(&mut self, pixel: usize) {
+        self.layers[pixel].pop();
+    }
+
+    pub(super) fn tint_layer(&mut self, pixel: usize, change: f64) {
+        let layer = &mut self.layers[pixel][0];
+        layer.color[0] = (layer.color[0] + change) % 256.0;
+    }
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    a.into_iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+/// How far blended colours are off the same layers blended in f64, and what differs in the layers.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct Blended {
+    /// Pixels with at least one layer.
+    pub blend_pixels: usize,
+    /// The most layers on one pixel.
+    pub blend_most_layers: usize,
+    /// Pixels with more layers than the reference has there, or fewer.
+    pub blend_layer_mismatches: usize,
+    /// The largest difference of a layer's colour from the reference's in 8-bit steps; 0 with a
+    /// texture or fog, where several colours are right, and visible ones are judged by themselves.
+    pub blend_layer_max_error: f64,
+    /// The largest difference of a blended colour in 8-bit steps.
+    pub blend_max_error: f64,
+    /// The pixel whose difference is the largest part of its bound.
+    pub blend_worst: Option<BlendError>,
+    /// Where a bound comes from.
+    pub blend_bound: BlendBound,
+}
+
+/// Where the bound of a blended colour comes from.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+#[cfg_attr(feature = "cli", serde(into = "&'static str"))]
+pub struct BlendBound;
+
+impl From<BlendBound> for &'static str {
+    fn from(BlendBound: BlendBound) -> Self {
+        "1/2 step of rounding for each layer, times the part that later layers let pass"
+    }
+}
+
+/// How far the blended colour of a pixel is off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct BlendError {
+    /// Column and row.
+    pub pixel: [usize; 2],
+    /// How many layers it has.
+    pub layers: usize,
+    /// The largest difference of a channel in 8-bit steps.
+    pub error_steps: f64,
+    /// How large it may be.
+    pub bound_steps: f64,
+}
+
+/// For the rounding of f64: some 100 roundings of values up to 255.
+const ROUNDING: f64 = 1e-9;
+
+impl BlendError {
+    /// Whether it keeps its bound.
+    #[must_use]
+    pub fn is_within(&self) -> bool {
+        self.error_steps <= self.bound_steps + ROUNDING
+    }
+}
+
+impl Blended {
+    fn add_pixel(&mut self, error: BlendError) {
+        self.blend_max_error = self.blend_max_error.max(error.error_steps);
+        let part = |error: BlendError| error.error_steps / (error.bound_steps + ROUNDING);
+        if self.blend_worst.is_none_or(|worst| part(error) > part(worst)) {
+            self.blend_worst = Some(error);
+        }
+    }
+
+    /// Whether the layers are those of the reference, their colours within `color_max_error`, and
+    /// each blended colour within its bound.
+    #[must_use]
+    pub fn is_within(&self, color_max_error: f64) -> bool {
+        self.blend_layer_mismatches == 0
+            && self.blend_layer_max_error <= color_max_error
+            && self.blend_worst.is_none_or(|worst| worst.is_within())
+    }
+}
