@@ -1,7 +1,7 @@
 //! Views in fog.
 
 use super::*;
-use crate::reference::Fog as Law;
+use crate::reference::{Blend, Fog as Law};
 
 const COLOR: [u8; 3] = [200, 210, 220];
 
@@ -25,7 +25,7 @@ fn fog_is_over_every_shader() {
     let model = shipped("rocket.obj");
     let mut pixels = 0;
     for (view, fog) in views().zip(fogs().cycle()) {
-        let outcome = pass(&model, &View { fog: Some(fog), ..view });
+        let outcome = pass(&model, &View { fog: Some(fog), depth: DepthFormat::U16, ..view });
         pixels += outcome.arithmetic.deviation.pixels;
     }
     assert!(pixels > 100_000, "{pixels}");
@@ -37,8 +37,20 @@ fn fog_is_over_textures() {
     let shadings = [Shading::Textured, Shading::TexturedFlat, Shading::TexturedGouraud];
     for (i, (view, fog)) in views().zip(fogs()).enumerate() {
         let (shading, filter) = (shadings[i % 3], Filter::NAMES[i % 2].1);
-        pass(&model, &View { fog: Some(fog), shading, filter, ..view });
+        let view = View { depth: DepthFormat::U16, shading, filter, ..view };
+        pass(&model, &View { fog: Some(fog), ..view });
     }
+}
+
+#[test]
+fn fog_has_one_depth_and_no_blending() {
+    let model = shipped("wooden_crate.obj");
+    let fog = fogs().next();
+    let refused = |view: View| render(&model, &View { fog, ..view }).unwrap_err();
+    let deep = View { depth: DepthFormat::U32, ..FRONT };
+    assert_eq!(refused(deep), ViewError::DepthInFog);
+    let blended = View { blending: Blending::By(Blend::Over), ..FRONT };
+    assert_eq!(refused(blended), ViewError::BlendingInFog);
 }
 
 /// Faces through the near plane and the far plane.
