@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Lighting, lighting};
+use super::{Lighting, lighting, place::Place as _};
 use crate::{
     geometry::ObjectView,
     mesh::{MeshFace, MeshVertex},
@@ -30,11 +30,14 @@ impl<C, L: Lighting> Lit<C, L> {
 /// The brightness of a vertex in Q16, from 0 to 65,536.
 #[inline(always)]
 pub(super) fn vertex_level<L: Lighting>(light: &L, vertex: &MeshVertex<'_>) -> u32 {
-    lighting::level(light, vertex.normal(), vertex.position())
+    let position = if L::Place::IS_HERE { vertex.position() } else { [0; 3] };
+    lighting::level(light, vertex.normal(), position)
 }
 
 /// The brightness of a triangle in Q16, from 0 to 65,536.
 #[inline(always)]
 pub(super) fn face_level<L: Lighting>(light: &L, face: &MeshFace<'_>) -> u32 {
-    lighting::level(light, face.normal(), face.center())
+    // codegen: at some levels of optimisation what nobody reads is computed.
+    let center = if L::Place::IS_HERE { face.center() } else { [0; 3] };
+    lighting::level(light, face.normal(), center)
 }

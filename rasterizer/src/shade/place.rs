@@ -12,6 +12,9 @@ pub trait Place: Copy + Debug {
     /// This one if it is [`Here`], or else `P`.
     type Or<P: Place>: Place;
 
+    /// Whether it is [`Here`].
+    const IS_HERE: bool;
+
     /// The varyings of a vertex.
     type Vertex: Components<Sample = Self::Pixel> + Varyings<OnScreen = Self::Vertex>;
     /// What a pixel sees of them.
@@ -48,6 +51,9 @@ fn normal(varying: [I16F16; 3]) -> [i32; 3] {
 
 impl Place for Anywhere {
     type Or<P: Place> = P;
+
+    const IS_HERE: bool = false;
+
     type Vertex = [i16; 3];
     type Pixel = [I16F16; 3];
 
@@ -64,6 +70,9 @@ impl Place for Anywhere {
 
 impl Place for Here {
     type Or<P: Place> = Self;
+
+    const IS_HERE: bool = true;
+
     type Vertex = [i16; 6];
     type Pixel = [I16F16; 6];
 
