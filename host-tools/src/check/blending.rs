@@ -99,16 +99,6 @@ impl<T: Readable<Color: ShownColor>> CoreBlending<T> for Recorder<'_> {
             Recorded { recorder: self, at, stored, new: pixel(fragment) }
         })
     }
-
-    fn fill<Q: Primitive<Depth = T::Depth>>(
-        self,
-        target: &mut T,
-        primitive: &Q,
-        window: &Window,
-        color: T::Color,
-    ) -> Result<(), T::Error> {
-        self.shade(target, primitive, window, move |_| color)
-    }
 }
 
 struct Recorded<'r, C, O> {

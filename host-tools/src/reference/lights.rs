@@ -138,6 +138,31 @@ mod tests {
         }
     }
 
+    /// Ambient light and one sun.
+    fn one(ambient: f64, level: f64) -> Lights {
+        let sun = Sun { toward: [0.0, 0.6, 0.8], level };
+        Lights { ambient, suns: vec![sun], lamps: vec![] }
+    }
+
+    #[test]
+    fn the_level_follows_the_cosine() {
+        let level = |normal| one(0.25, 0.5).diffuse([0.0; 3], normal);
+        assert_eq!(level([0.0, 0.6, 0.8]), 0.75);
+        assert_eq!(level([0.0, 0.0, 1.0]), 0.25 + 0.5 * 0.8);
+        assert_eq!(level([1.0, 0.0, 0.0]), 0.25);
+    }
+
+    #[test]
+    fn a_surface_turned_away_keeps_the_ambient_level() {
+        assert_eq!(one(0.25, 0.5).diffuse([0.0; 3], [0.0, -0.6, -0.8]), 0.25);
+    }
+
+    #[test]
+    fn the_level_stays_within_zero_and_one() {
+        assert_eq!(one(0.75, 0.75).diffuse([0.0; 3], [0.0, 0.6, 0.8]), 1.0);
+        assert_eq!(one(-0.5, 0.25).diffuse([0.0; 3], [0.0, -0.6, -0.8]), 0.0);
+    }
+
     #[test]
     fn levels_of_all_lights_add_up() {
         // The first sun at 53 degrees; the second is below. The lamp is 5 away: half of it.

@@ -43,8 +43,7 @@
 //! | step | file | source |
 //! |---|---|---|
 //! | view transform, projection | `camera.rs` | similar triangles |
-//! | light level of a normal | `light.rs` | Lambert's cosine law |
-//! | several lights, highlights | `lights.rs` | Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
+//! | levels of lights, highlights | `lights.rs` | Lambert's cosine law; Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
 //! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
@@ -72,7 +71,6 @@ mod display;
 mod fog;
 mod footprint;
 mod interpolate;
-mod light;
 mod lights;
 mod mesh;
 mod mipmaps;
@@ -96,7 +94,6 @@ pub use depth::DepthFormat;
 pub use display::{Display, Steps, luma};
 pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
-pub use light::Light;
 pub use lights::{Finish, Lamp, Lights, Sun, Viewer};
 pub use mesh::{Corner, Culling, Mesh};
 pub use mipmaps::Mipmaps;

@@ -90,7 +90,7 @@ fn is_front(outline: &[[f64; 2]]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::super::camera::{Projection, Viewport};
-    use super::super::light::Light;
+    use super::super::lights::{Lights, Sun};
     use super::super::random::Random;
     use super::super::ray::{Hit, Ray, add, product, unit};
     use super::*;
@@ -397,7 +397,8 @@ mod tests {
 
     #[test]
     fn flat_gouraud_and_unlit_are_closures_over_the_light() {
-        let light = Light { toward: [0.0, 0.0, 1.0], ambient: 0.25, diffuse: 0.5 };
+        let sun = Sun { toward: [0.0, 0.0, 1.0], level: 0.5 };
+        let light = Lights { ambient: 0.25, suns: vec![sun], lamps: vec![] };
         let wall = mesh(&[[[-9.0, -9.0, -3.0], [9.0, -9.0, -3.0], [0.0, 9.0, -3.0]]]);
         let (face_normals, vertex_normals) = ([[0.0, 0.0, -1.0]], [[0.0, 0.0, 1.0]; 3]);
         let lit = |Sample { varyings: [level], .. }: Sample<1>| {
@@ -410,7 +411,7 @@ mod tests {
                 &wall,
                 Culling::Back,
                 SIZE,
-                |corner| [light.level(face_normals[corner.triangle])],
+                |corner| [light.diffuse([0.0; 3], face_normals[corner.triangle])],
                 lit,
             ),
             draw_scene(
@@ -418,7 +419,7 @@ mod tests {
                 &wall,
                 Culling::Back,
                 SIZE,
-                |corner| [light.level(vertex_normals[corner.vertex])],
+                |corner| [light.diffuse([0.0; 3], vertex_normals[corner.vertex])],
                 lit,
             ),
             draw(&camera, &wall, Culling::Back),

@@ -32,18 +32,22 @@ pub trait Blending<T: Target>: Copy {
         pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
     ) -> Result<(), T::Error>;
 
-    /// Draws a primitive's pixels in a part of the target's window, all of one colour.
+    /// Draws a primitive's pixels in a part of the target's window, all of one colour. By
+    /// [`shade`](Self::shade), unless there is a shorter way.
     ///
     /// # Errors
     ///
     /// Returns the target's error.
+    #[inline(always)]
     fn fill<Q: Primitive<Depth = T::Depth>>(
         self,
         target: &mut T,
         primitive: &Q,
         window: &Window,
         color: T::Color,
-    ) -> Result<(), T::Error>;
+    ) -> Result<(), T::Error> {
+        self.shade(target, primitive, window, move |_| color)
+    }
 }
 
 /// The new colour replaces the stored one.
@@ -117,17 +121,6 @@ impl<T: Readable, F: Fn(T::Color, T::Color) -> T::Color + Copy> Blending<T> for 
             new: pixel(fragment),
             by: self.0,
         })
-    }
-
-    #[inline(always)]
-    fn fill<Q: Primitive<Depth = T::Depth>>(
-        self,
-        target: &mut T,
-        primitive: &Q,
-        window: &Window,
-        color: T::Color,
-    ) -> Result<(), T::Error> {
-        self.shade(target, primitive, window, move |_| color)
     }
 }
 

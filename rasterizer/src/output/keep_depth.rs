@@ -38,17 +38,6 @@ impl<T: Target, B: Blending<T>> Blending<T> for KeepDepth<B> {
             color: PhantomData,
         })
     }
-
-    #[inline(always)]
-    fn fill<Q: Primitive<Depth = T::Depth>>(
-        self,
-        target: &mut T,
-        primitive: &Q,
-        window: &Window,
-        color: T::Color,
-    ) -> Result<(), T::Error> {
-        self.shade(target, primitive, window, move |_| color)
-    }
 }
 
 /// An outcome whose depth is not stored. That it names its colour tells it from a colour.

@@ -33,17 +33,6 @@ macro_rules! blending {
                     by: T::Color::$method,
                 })
             }
-
-            #[inline(always)]
-            fn fill<Q: Primitive<Depth = T::Depth>>(
-                self,
-                target: &mut T,
-                primitive: &Q,
-                window: &Window,
-                color: T::Color,
-            ) -> Result<(), T::Error> {
-                self.shade(target, primitive, window, move |_| color)
-            }
         }
     };
 }

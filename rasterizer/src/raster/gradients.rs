@@ -76,21 +76,6 @@ impl<'v, V: Interpolate> Gradients<'v, V> {
     }
 }
 
-impl<'v, A: Interpolate, B: Interpolate> Gradients<'v, (A, B)> {
-    /// Those of the first of two varyings.
-    #[inline(always)]
-    #[must_use]
-    pub const fn of_first(&self) -> Gradients<'v, A> {
-        let [(a, _), (b, _), (c, _)] = self.corners;
-        Gradients {
-            corners: [a, b, c],
-            places: self.places,
-            area: self.area,
-            subpixel_bits: self.subpixel_bits,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -2,13 +2,12 @@
 
 use core::marker::PhantomData;
 
-use super::{Face, Outcome, Sample, Shader};
+use super::{Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner};
 use crate::{
     color::{Alpha, Dither, FullColor},
     geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
-    shade::OnScreen,
 };
 
 /// The colours of another shader, dithered to those of the target by a matrix of `SIZE` rows, 8 or
@@ -88,33 +87,12 @@ impl<Sh: Clone, C, const SIZE: usize> Clone for Dithered<Sh, C, SIZE> {
 
 impl<Sh: Copy, C, const SIZE: usize> Copy for Dithered<Sh, C, SIZE> {}
 
-/// What the pixels of a triangle are dithered from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct DitheredFace<C, F> {
-    /// The colour of all pixels, if it is one.
-    solid: Option<C>,
-    /// What they are shaded with otherwise.
-    shaded: F,
-}
-
-impl<C, F: Default> Default for DitheredFace<C, F> {
-    fn default() -> Self {
-        Self { solid: None, shaded: F::default() }
-    }
-}
-
 /// A pixel's colour before it is dithered, and its place.
 #[derive(Clone, Copy, Debug)]
 pub struct DitheredPixel<O, S, const SIZE: usize> {
-    color: Before<O, S>,
+    pixel: InnerPixel<S, O>,
     column: i32,
     row: i32,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Before<O, S> {
-    Solid(S),
-    Shaded(O),
 }
 
 impl<O: Outcome<S>, S: FullColor, C: Dither, const SIZE: usize> Outcome<C>
@@ -126,20 +104,14 @@ impl<O: Outcome<S>, S: FullColor, C: Dither, const SIZE: usize> Outcome<C>
 
     #[inline(always)]
     fn color(self) -> Option<C> {
-        let color = match self.color {
-            Before::Solid(color) => Some(color),
-            Before::Shaded(outcome) => outcome.color(),
-        };
-        color.map(|color| C::dithered::<SIZE>(color, self.column, self.row))
+        let Self { pixel, column, row } = self;
+        pixel.color().map(|color: S| C::dithered::<SIZE>(color, column, row))
     }
 
     #[inline(always)]
     fn layer(self) -> Option<(C, Alpha)> {
-        let layer = match self.color {
-            Before::Solid(color) => Some((color, Alpha::OPAQUE)),
-            Before::Shaded(outcome) => outcome.layer(),
-        };
-        layer.map(|(color, alpha)| (C::dithered::<SIZE>(color, self.column, self.row), alpha))
+        let Self { pixel, column, row } = self;
+        pixel.layer().map(|(color, alpha): (S, _)| (C::dithered::<SIZE>(color, column, row), alpha))
     }
 }
 
@@ -147,7 +119,7 @@ impl<Sh: Shader<Color: FullColor>, C: Dither, const SIZE: usize> Shader for Dith
     type Color = C;
     type Varyings = Sh::Varyings;
     type Surface = Sh::Surface;
-    type Face = DitheredFace<Sh::Color, Sh::Face>;
+    type Face = Face<Sh::Color, Sh::Face>;
     type Outcome = DitheredPixel<Sh::Outcome, Sh::Color, SIZE>;
 
     const TABLES: RequiredTables = Sh::TABLES;
@@ -173,10 +145,7 @@ impl<Sh: Shader<Color: FullColor>, C: Dither, const SIZE: usize> Shader for Dith
         face: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
     ) -> Face<C, Self::Face> {
-        Face::Shaded(match self.shader.face(surface, face, gradients) {
-            Face::Solid(color) => DitheredFace { solid: Some(color), ..DitheredFace::default() },
-            Face::Shaded(shaded) => DitheredFace { solid: None, shaded },
-        })
+        Face::Shaded(self.shader.face(surface, face, gradients))
     }
 
     #[inline(always)]
@@ -186,12 +155,7 @@ impl<Sh: Shader<Color: FullColor>, C: Dither, const SIZE: usize> Shader for Dith
         face: &Self::Face,
         fragment: Fragment<Sample<Self>>,
     ) -> Self::Outcome {
-        let Fragment { column, row, .. } = fragment;
-        let color = face.solid.map_or_else(
-            || Before::Shaded(self.shader.pixel(surface, &face.shaded, fragment)),
-            Before::Solid,
-        );
-        DitheredPixel { color, column, row }
+        self.pixels(surface, *face)(fragment)
     }
 
     #[inline(always)]
@@ -200,12 +164,10 @@ impl<Sh: Shader<Color: FullColor>, C: Dither, const SIZE: usize> Shader for Dith
         surface: &Self::Surface,
         face: Self::Face,
     ) -> impl Fn(Fragment<Sample<Self>>) -> Self::Outcome + Copy {
-        let DitheredFace { solid, shaded } = face;
-        let pixel = self.shader.pixels(surface, shaded);
+        let pixel = inner::pixels(&self.shader, surface, face);
         move |fragment| {
             let Fragment { column, row, .. } = fragment;
-            let color = solid.map_or_else(|| Before::Shaded(pixel(fragment)), Before::Solid);
-            DitheredPixel { color, column, row }
+            DitheredPixel { pixel: pixel(fragment), column, row }
         }
     }
 }

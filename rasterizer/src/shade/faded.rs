@@ -2,7 +2,7 @@
 
 use fixed::types::U16F16;
 
-use super::{Face, OnScreen, Outcome, Sample, Shader};
+use super::{Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner};
 use crate::{
     color::Alpha,
     geometry::ObjectView,
@@ -101,21 +101,12 @@ impl<Sh: Shader, F: Fn(&MeshVertex<'_>) -> Alpha + Clone> Shader for Faded<Sh, F
         surface: &Sh::Surface,
         face: Self::Face,
     ) -> impl Fn(Fragment<Sample<Self>>) -> Self::Outcome + Copy {
-        let (solid, face) = match face {
-            Face::Solid(color) => (Some(color), Sh::Face::default()),
-            Face::Shaded(face) => (None, face),
-        };
-        let pixel = self.shader.pixels(surface, face);
+        let pixel = inner::pixels(&self.shader, surface, face);
         move |fragment| {
-            let (own, [alpha]) = fragment.varyings;
+            let (varyings, [alpha]) = fragment.varyings;
             let Fragment { depth, column, row, .. } = fragment;
-            FadedPixel {
-                pixel: match solid {
-                    Some(color) => Pixel::Solid(color),
-                    None => Pixel::Shaded(pixel(Fragment { varyings: own, depth, column, row })),
-                },
-                alpha: at(alpha),
-            }
+            let pixel = pixel(Fragment { varyings, depth, column, row });
+            FadedPixel { pixel, alpha: at(alpha) }
         }
     }
 }
@@ -130,14 +121,8 @@ const fn at(varying: U16F16) -> Alpha {
 /// A pixel of [`Faded`].
 #[derive(Clone, Copy, Debug)]
 pub struct FadedPixel<C, O> {
-    pixel: Pixel<C, O>,
+    pixel: InnerPixel<C, O>,
     alpha: Alpha,
-}
-
-#[derive(Clone, Copy, Debug)]
-enum Pixel<C, O> {
-    Solid(C),
-    Shaded(O),
 }
 
 impl<C, O: Outcome<C>> Outcome<C> for FadedPixel<C, O> {
@@ -152,13 +137,8 @@ impl<C, O: Outcome<C>> Outcome<C> for FadedPixel<C, O> {
 
     #[inline(always)]
     fn layer(self) -> Option<(C, Alpha)> {
-        let (color, alpha) = match self.pixel {
-            Pixel::Solid(color) => (color, self.alpha),
-            Pixel::Shaded(outcome) => {
-                let (color, alpha) = outcome.layer()?;
-                (color, if O::HAS_ALPHA { alpha.scaled(self.alpha) } else { self.alpha })
-            }
-        };
+        let (color, alpha) = self.pixel.layer()?;
+        let alpha = if O::HAS_ALPHA { alpha.scaled(self.alpha) } else { self.alpha };
         (alpha > Alpha::CLEAR).then_some((color, alpha))
     }
 }

@@ -4,7 +4,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
     Face, OnScreen, Sample, Shader,
-    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying, bare},
+    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying},
 };
 use crate::{
     attribute::{Affine, Correction},
@@ -12,7 +12,7 @@ use crate::{
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     numbers::mul_q30,
     raster::{Fragment, Gradients},
-    texture::{Filter, Nearest, Texels as _},
+    texture::{Filter, Nearest},
 };
 
 /// A texture looked up by the normal in camera space (a *matcap*, or lit sphere: Sloan, Martin,
@@ -125,10 +125,7 @@ where
         _: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
     ) -> Face<ColorOf<S>, FaceOf<S, F>> {
-        surface.slot.texture_or(
-            |texture| Face::Shaded(Skin::<S, F, M, i16>::face(texture, gradients, |corner| corner)),
-            || Face::Solid(surface.color),
-        )
+        Skin::<S, F, M, i16>::plain_face(surface, gradients)
     }
 
     #[inline(always)]
@@ -147,17 +144,7 @@ where
         surface: &Self::Surface,
         face: Self::Face,
     ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> + Copy {
-        let Covered { slot, color } = *surface;
-        move |fragment| {
-            slot.texture_or(
-                |texture| {
-                    Skin::<S, F, M, i16>::texel(texture, &face, fragment.varyings, |texels, i| {
-                        texels.texel(i)
-                    })
-                },
-                || bare(color),
-            )
-        }
+        Skin::<S, F, M, i16>::plain_pixels(surface, face)
     }
 }
 

@@ -18,6 +18,7 @@ mod fog;
 mod gloss;
 mod glossy_gouraud;
 mod gouraud;
+mod inner;
 mod lamp;
 mod light;
 mod lighting;
@@ -37,14 +38,15 @@ mod textured_flat;
 mod textured_gouraud;
 
 pub use colored::{Colored, ColoredGouraud};
-pub use dithered::{Dithered, DitheredFace, DitheredPixel};
+pub use dithered::{Dithered, DitheredPixel};
 pub use faded::{Faded, FadedPixel};
 pub use flat::{Flat, Unlit};
 #[doc(hidden)]
 pub use fog::SeenFog;
-pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged, FoggedFace};
+pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged};
 pub use glossy_gouraud::GlossyGouraud;
 pub use gouraud::Gouraud;
+pub use inner::InnerPixel;
 pub use lamp::Lamp;
 pub use light::{Level, Light};
 pub use lighting::Lighting;

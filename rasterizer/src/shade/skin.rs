@@ -2,11 +2,12 @@
 
 use core::marker::PhantomData;
 
+use super::Face;
 use crate::{
     attribute::{Corrected, Correction, Interpolate, PerspectiveCorrect, Varyings},
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
     numbers::codegen,
-    raster::Gradients,
+    raster::{Fragment, Gradients},
     texture::{
         CoordinateFormat, Filter, Footprint, LitTexels, Texel, TexelMap, Texels, TextureVarying,
     },
@@ -99,6 +100,9 @@ pub(super) type Varying<S, F, M, C> = PerspectiveCorrect<Coordinates<S, F, C>, M
 /// Texture coordinates as a vertex on the screen has them.
 type OnScreen<S, F, M, C> = <Varying<S, F, M, C> as Varyings>::OnScreen;
 
+/// Texture coordinates as a pixel sees them.
+type SampleOf<S, F, M, C> = <OnScreen<S, F, M, C> as Interpolate>::Sample;
+
 /// What a filter computes of a triangle.
 pub(super) type FaceOf<S, F> = <F as Filter<<S as Slot>::Texture>>::Face;
 
@@ -183,6 +187,46 @@ impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'
         F::sample(texture, face, pixel.value, pixel.inverse_w, |index| {
             fetch(texture.texels(), index)
         })
+    }
+}
+
+/// The shading of textures that are shown as they are: those of [`Textured`](super::Textured) and
+/// [`Matcap`](super::Matcap).
+impl<S, F, M, C> Skin<'_, S, F, M, C>
+where
+    S: Slot,
+    F: Filter<S::Texture>,
+    M: Correction,
+    C: VertexCoordinates,
+{
+    /// What the filter computes of a triangle, or the colour of a bare material.
+    #[inline(always)]
+    pub(super) fn plain_face(
+        surface: &Covered<S, ColorOf<S>>,
+        gradients: &Gradients<'_, OnScreen<S, F, M, C>>,
+    ) -> Face<ColorOf<S>, FaceOf<S, F>> {
+        surface.slot.texture_or(
+            |texture| Face::Shaded(Self::face(texture, gradients, |corner| corner)),
+            || Face::Solid(surface.color),
+        )
+    }
+
+    /// Returns the texels of the pixels of a triangle.
+    #[inline(always)]
+    pub(super) fn plain_pixels(
+        &Covered { slot, color }: &Covered<S, ColorOf<S>>,
+        face: FaceOf<S, F>,
+    ) -> impl Fn(Fragment<SampleOf<S, F, M, C>>) -> TexelOf<S> + Copy + use<S, F, M, C> {
+        move |fragment| {
+            slot.texture_or(
+                |texture| {
+                    Self::texel(texture, &face, fragment.varyings, |texels, index| {
+                        texels.texel(index)
+                    })
+                },
+                || bare(color),
+            )
+        }
     }
 }
 

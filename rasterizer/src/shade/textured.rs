@@ -4,13 +4,13 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
     Face, OnScreen, Sample, Shader,
-    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying, VertexCoordinates, bare},
+    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying, VertexCoordinates},
 };
 use crate::{
     attribute::{Adaptive, Correction},
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
-    texture::{Filter, Nearest, Texels as _},
+    texture::{Filter, Nearest},
 };
 
 /// The material's texture, unlit.
@@ -115,10 +115,7 @@ where
         _: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
     ) -> Face<ColorOf<S>, FaceOf<S, F>> {
-        surface.slot.texture_or(
-            |texture| Face::Shaded(Skin::<S, F, M, C>::face(texture, gradients, |corner| corner)),
-            || Face::Solid(surface.color),
-        )
+        Skin::<S, F, M, C>::plain_face(surface, gradients)
     }
 
     #[inline(always)]
@@ -137,17 +134,7 @@ where
         surface: &Self::Surface,
         face: Self::Face,
     ) -> impl Fn(Fragment<Sample<Self>>) -> TexelOf<S> + Copy {
-        let Covered { slot, color } = *surface;
-        move |fragment| {
-            slot.texture_or(
-                |texture| {
-                    Skin::<S, F, M, C>::texel(texture, &face, fragment.varyings, |texels, index| {
-                        texels.texel(index)
-                    })
-                },
-                || bare(color),
-            )
-        }
+        Skin::<S, F, M, C>::plain_pixels(surface, face)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{
     Counts, LitTexels, StoredTexels, Table, Texels, colors::at, indexed::Packing,
-    texels::transparent,
+    texels::with_alpha,
 };
 
 /// Texels of which those with one stored value, the key, are transparent: a colour, or with a
@@ -26,7 +26,7 @@ impl<F: StoredTexels> Keyed<F> {
     }
 }
 
-transparent!([StoredTexels] Keyed<F>, |keyed| keyed.texels.counts());
+with_alpha!(Option, [StoredTexels] Keyed<F>, |keyed| keyed.texels.counts());
 
 impl<F: StoredTexels + Table> Table for Keyed<F> {
     const COUNTS: Counts = F::COUNTS;
@@ -77,8 +77,8 @@ pub(super) const fn is_half<const BITS: usize>(byte: u8, index: usize) -> bool {
     Packing::<BITS>::unpack(byte, index) >> (BITS - 1) != 0
 }
 
-transparent!(
-    [Copy, const BITS: usize, const BYTES: usize] Masked<'_, F, BITS, BYTES>,
+with_alpha!(
+    Option, [Copy, const BITS: usize, const BYTES: usize] Masked<'_, F, BITS, BYTES>,
     |masked| masked.texels.counts().and(Counts::in_bytes(BYTES, BITS))
 );
 

@@ -7,8 +7,8 @@ use super::{
     masked::is_half,
     shaded::{level_of_shade, shade_of_varying, varying_of_shade},
     texels::{
-        level_of_varying, lit_after_filtering, lit_by_palettes, places_in_a_palette, transparent,
-        varying_of_level,
+        level_of_varying, lit_after_filtering, lit_by_palettes, places_in_a_palette,
+        varying_of_level, with_alpha,
     },
 };
 
@@ -158,7 +158,7 @@ impl<F, const BITS: usize> MaskedSlice<'_, F, BITS> {
     }
 }
 
-transparent!(
-    [Copy, const BITS: usize] MaskedSlice<'_, F, BITS>,
+with_alpha!(
+    Option, [Copy, const BITS: usize] MaskedSlice<'_, F, BITS>,
     |masked| masked.texels.counts().and(Counts::in_bytes(masked.alpha.len(), BITS))
 );

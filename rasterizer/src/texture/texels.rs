@@ -221,13 +221,19 @@ macro_rules! lit_by_palettes {
     };
 }
 
-/// [`Texels::texel`] and [`LitTexels`] for texels of which those that are not `is_opaque` are
-/// transparent.
-macro_rules! transparent {
-    ([$($parameters:tt)*] $texels:ty, $counts:expr) => {
+/// [`Texels`] and [`LitTexels`] for `texels` that may be transparent: each an `Option`, of
+/// which the colour is there if `is_opaque`, or a `Layer` with an `alpha`.
+macro_rules! with_alpha {
+    (@Option $texels:ident, $index:ident, $color:expr) => {
+        $texels.is_opaque($index).then(|| $color)
+    };
+    (@Layer $texels:ident, $index:ident, $color:expr) => {
+        Layer::new($color, $texels.alpha($index))
+    };
+    ($kind:ident, [$($parameters:tt)*] $texels:ty, $counts:expr) => {
         impl<F: Texels<Texel = <F as Texels>::Color> + $($parameters)*> Texels for $texels {
             type Color = F::Color;
-            type Texel = Option<F::Color>;
+            type Texel = $kind<F::Color>;
 
             fn counts(&self) -> Counts {
                 let counts: fn(&Self) -> Counts = $counts;
@@ -235,8 +241,8 @@ macro_rules! transparent {
             }
 
             #[inline(always)]
-            fn texel(&self, index: usize) -> Option<F::Color> {
-                self.is_opaque(index).then(|| self.texels.texel(index))
+            fn texel(&self, index: usize) -> $kind<F::Color> {
+                with_alpha!(@$kind self, index, self.texels.texel(index))
             }
         }
 
@@ -254,8 +260,8 @@ macro_rules! transparent {
             }
 
             #[inline(always)]
-            fn before_light(&self, index: usize, light: F::Light) -> Option<F::Color> {
-                self.is_opaque(index).then(|| self.texels.before_light(index, light))
+            fn before_light(&self, index: usize, light: F::Light) -> $kind<F::Color> {
+                with_alpha!(@$kind self, index, self.texels.before_light(index, light))
             }
 
             #[inline(always)]
@@ -271,58 +277,7 @@ macro_rules! transparent {
     };
 }
 
-/// [`Texels`] and [`LitTexels`] for texels of which each has an `alpha`.
-macro_rules! translucent {
-    ([$($parameters:tt)*] $texels:ty, $counts:expr) => {
-        impl<F: Texels<Texel = <F as Texels>::Color> + $($parameters)*> Texels for $texels {
-            type Color = F::Color;
-            type Texel = Layer<F::Color>;
-
-            fn counts(&self) -> Counts {
-                let counts: fn(&Self) -> Counts = $counts;
-                counts(self)
-            }
-
-            #[inline(always)]
-            fn texel(&self, index: usize) -> Layer<F::Color> {
-                Layer::new(self.texels.texel(index), self.alpha(index))
-            }
-        }
-
-        impl<F: LitTexels<Texel = <F as Texels>::Color> + $($parameters)*> LitTexels for $texels {
-            type Light = F::Light;
-
-            #[inline(always)]
-            fn varying(level: u32) -> u16 {
-                F::varying(level)
-            }
-
-            #[inline(always)]
-            fn light(varying: u32) -> F::Light {
-                F::light(varying)
-            }
-
-            #[inline(always)]
-            fn before_light(&self, index: usize, light: F::Light) -> Layer<F::Color> {
-                Layer::new(self.texels.before_light(index, light), self.alpha(index))
-            }
-
-            #[inline(always)]
-            fn after_light(color: F::Color, light: F::Light) -> F::Color {
-                F::after_light(color, light)
-            }
-
-            #[inline(always)]
-            fn plain(color: F::Color, light: F::Light) -> F::Color {
-                F::plain(color, light)
-            }
-        }
-    };
-}
-
-pub(super) use {
-    lit_after_filtering, lit_by_palettes, places_in_a_palette, translucent, transparent,
-};
+pub(super) use {lit_after_filtering, lit_by_palettes, places_in_a_palette, with_alpha};
 
 #[cfg(test)]
 mod tests {

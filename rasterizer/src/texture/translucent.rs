@@ -2,7 +2,7 @@
 
 use super::{
     Counts, Layer, LitTexels, StoredTexels, Table, Texels, colors::at, indexed::Packing,
-    texels::translucent,
+    texels::with_alpha,
 };
 use crate::color::Alpha;
 
@@ -51,8 +51,8 @@ impl<F, const BITS: usize, const BYTES: usize> Translucent<'_, F, BITS, BYTES> {
     }
 }
 
-translucent!(
-    [Texels, const BITS: usize, const BYTES: usize] Translucent<'_, F, BITS, BYTES>,
+with_alpha!(
+    Layer, [Texels, const BITS: usize, const BYTES: usize] Translucent<'_, F, BITS, BYTES>,
     |texels| texels.texels.counts().and(Counts::in_bytes(BYTES, BITS))
 );
 
@@ -98,8 +98,8 @@ impl<'a, F: StoredTexels<Stored = u8>, const COLORS: usize> TranslucentPalette<'
     }
 }
 
-translucent!(
-    [StoredTexels<Stored = u8>, const COLORS: usize] TranslucentPalette<'_, F, COLORS>,
+with_alpha!(
+    Layer, [StoredTexels<Stored = u8>, const COLORS: usize] TranslucentPalette<'_, F, COLORS>,
     |texels| texels.texels.counts()
 );
 

@@ -9,7 +9,7 @@ use crate::{
     geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     raster::{Fragment, Gradients},
-    shade::{Face, OnScreen, Outcome as _, Sample, Shader},
+    shade::{Face, InnerPixel, OnScreen, Outcome as _, Sample, Shader, inner},
     texture::Texel,
 };
 
@@ -65,20 +65,6 @@ impl<'f, Sh: Shader, B> Fogged<'f, Sh, B> {
     }
 }
 
-/// What a shader in fog makes of a triangle.
-#[derive(Clone, Copy, Debug)]
-pub struct FoggedFace<C, F> {
-    /// The colour that all pixels have without fog, if it is one.
-    solid: Option<C>,
-    face: F,
-}
-
-impl<C, F: Default> Default for FoggedFace<C, F> {
-    fn default() -> Self {
-        Self { solid: None, face: F::default() }
-    }
-}
-
 impl<'f, Sh, B> Shader for Fogged<'f, Sh, B>
 where
     Sh: Shader<Color: Composite, Outcome: Texel<<Sh as Shader>::Color>>,
@@ -88,7 +74,7 @@ where
     /// Those of the shader, and the fog's.
     type Varyings = (Sh::Varyings, B::Varying<'f>);
     type Surface = Sh::Surface;
-    type Face = FoggedFace<Sh::Color, Sh::Face>;
+    type Face = Face<Sh::Color, Sh::Face>;
     type Outcome = Sh::Outcome;
 
     const TABLES: RequiredTables = Sh::TABLES;
@@ -121,12 +107,9 @@ where
         if is_even && a == Alpha::OPAQUE && !Sh::Outcome::DISCARDS && !Sh::Outcome::HAS_ALPHA {
             return Face::Solid(self.color);
         }
-        match self.shader.face(surface, face, &gradients.of_first()) {
+        match self.shader.face(surface, face, &gradients.part(|(own, _)| own)) {
             Face::Solid(color) if is_even => Face::Solid(self.color.over(color, a)),
-            Face::Solid(color) => {
-                Face::Shaded(FoggedFace { solid: Some(color), face: Sh::Face::default() })
-            }
-            Face::Shaded(face) => Face::Shaded(FoggedFace { solid: None, face }),
+            face => Face::Shaded(face),
         }
     }
 
@@ -144,15 +127,15 @@ where
     fn pixels(
         &self,
         surface: &Sh::Surface,
-        FoggedFace { solid, face }: Self::Face,
+        face: Self::Face,
     ) -> impl Fn(Fragment<Sample<Self>>) -> Sh::Outcome + Copy {
-        let pixels = self.shader.pixels(surface, face);
+        let pixel = inner::pixels(&self.shader, surface, face);
         let (seen, fog) = (self.seen, self.color);
         move |Fragment { varyings: (varyings, fogged), depth, column, row }| {
             let alpha = B::at_pixel(fogged, &seen);
-            let bare = match solid {
-                Some(color) => Sh::Outcome::opaque(color),
-                None => pixels(Fragment { varyings, depth, column, row }),
+            let bare = match pixel(Fragment { varyings, depth, column, row }) {
+                InnerPixel::Solid(color) => Sh::Outcome::opaque(color),
+                InnerPixel::Shaded(outcome) => outcome,
             };
             bare.recolored(|color| fog.over(color, alpha))
         }

@@ -4,7 +4,7 @@ mod fogged;
 mod law;
 mod mode;
 
-pub use fogged::{Fogged, FoggedFace};
+pub use fogged::Fogged;
 pub use law::{Density, Fog};
 #[doc(hidden)]
 pub use mode::SeenFog;
