@@ -4,7 +4,7 @@ use core::marker::PhantomData;
 
 use super::{
     Light, Lighting, Sample, Shader,
-    lit::{Lit, vertex_level},
+    lighting::{Lit, vertex_level},
 };
 use crate::{
     attribute::{Affine, Correction, PerspectiveCorrect},

@@ -7,7 +7,7 @@ use fixed::types::U16F16;
 
 use super::{
     Face, Light, Lighting, Shader,
-    lit::{Lit, face_level},
+    lighting::{Lit, face_level},
 };
 use crate::{
     geometry::ObjectView,

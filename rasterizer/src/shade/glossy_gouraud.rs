@@ -8,8 +8,7 @@ use fixed::types::U16F16;
 use super::{
     FarViewer, Light, Lighting, NearViewer, Shader, ViewedFrom,
     finished::Finished,
-    gloss::Gloss,
-    spot::{Eye, Spot},
+    lighting::{Eye, Gloss, Spot},
 };
 use crate::{
     geometry::ObjectView,

@@ -5,7 +5,7 @@ use fixed::types::U16F16;
 
 use super::{
     Light, Lighting, Ramp, Shader,
-    lit::{Lit, vertex_level},
+    lighting::{Lit, vertex_level},
 };
 use crate::{
     geometry::ObjectView,

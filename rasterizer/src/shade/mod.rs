@@ -15,27 +15,16 @@ mod faded;
 mod finished;
 mod flat;
 mod fog;
-mod gloss;
 mod glossy_gouraud;
 mod gouraud;
 mod inner;
-mod lamp;
-mod light;
 mod lighting;
-mod lit;
-mod matcap;
 mod phong;
-mod place;
-mod point;
 mod ramp;
 mod recolored;
 #[cfg(test)]
 mod scenes;
-mod skin;
-mod spot;
 mod textured;
-mod textured_flat;
-mod textured_gouraud;
 
 pub use colored::{Colored, ColoredGouraud};
 pub use dithered::{Dithered, DitheredPixel};
@@ -47,18 +36,13 @@ pub use fog::{AtPixels, AtVertices, Density, Fog, FogMode, Fogged};
 pub use glossy_gouraud::GlossyGouraud;
 pub use gouraud::Gouraud;
 pub use inner::InnerPixel;
-pub use lamp::Lamp;
-pub use light::{Level, Light};
-pub use lighting::Lighting;
-pub use matcap::Matcap;
+pub use lighting::{FarViewer, Lamp, Level, Light, Lighting, NearViewer, ViewedFrom};
 pub use phong::{Phong, PhongCorrection};
 pub use ramp::Ramp;
 pub use recolored::Recolored;
-pub use skin::{Covered, Slot, VertexCoordinates};
-pub use spot::{FarViewer, NearViewer, ViewedFrom};
-pub use textured::Textured;
-pub use textured_flat::TexturedFlat;
-pub use textured_gouraud::TexturedGouraud;
+pub use textured::{
+    Covered, Matcap, Slot, Textured, TexturedFlat, TexturedGouraud, VertexCoordinates,
+};
 
 pub use crate::texture::{Layer, Outcome};
 use crate::{

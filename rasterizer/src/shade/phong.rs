@@ -7,10 +7,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use super::{
     FarViewer, Light, Lighting, NearViewer, Sample, Shader, ViewedFrom,
     finished::Finished,
-    gloss::Gloss,
-    lighting::Illuminate,
-    place::{Ambit, POSITION_BITS, Place},
-    spot::{Eye, Spot, Viewpoint},
+    lighting::{Ambit, Eye, Gloss, Illuminate, POSITION_BITS, Place, Spot, Viewpoint},
 };
 use crate::{
     attribute::{Adaptive, Correction, PerspectiveCorrect},

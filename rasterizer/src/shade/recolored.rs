@@ -114,7 +114,7 @@ mod tests {
         numbers::Vec3,
         shade::{
             Flat, Gouraud, Level, Light, Textured, Unlit,
-            skin::square::{GRAY, SIDE, drawn},
+            textured::square::{GRAY, SIDE, drawn},
         },
         texture::{Colors, Texture},
     };

@@ -1,6 +1,6 @@
 //! Random objects, lamps and eyes, for the tests of light.
 
-use super::{Lamp, Level, skin::square::screen};
+use super::{Lamp, Level, textured::square::screen};
 use crate::{
     camera::{Camera, Distance, Perspective},
     geometry::{ObjectView, Pose},

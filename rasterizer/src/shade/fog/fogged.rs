@@ -160,7 +160,7 @@ mod tests {
         numbers::{Rotation, S8, Vec3},
         output::Frame,
         prelude::Object,
-        shade::{Density, Unlit, skin::square},
+        shade::{Density, Unlit, textured::square},
         texture::{Colors, Keyed, Texture},
     };
 

@@ -3,9 +3,9 @@
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
-    Face, Light, Lighting, OnScreen, Sample, Shader,
-    flat::scaled_color,
-    lit::face_level,
+    super::{
+        Face, Light, Lighting, OnScreen, Sample, Shader, flat::scaled_color, lighting::face_level,
+    },
     skin::{
         ColorOf, Covered, FaceOf, LightOf, Skin, Slot, TexelOf, TexelsOf, Varying,
         VertexCoordinates, bare,
@@ -26,7 +26,7 @@ use crate::{
 /// The types are those of [`Textured`](super::Textured). Needs
 /// [`texture_coordinates`](crate::mesh::Tables::texture_coordinates) and
 /// [`face_normals`](crate::mesh::Tables::face_normals). A material without a texture is drawn like
-/// [`Flat`](super::Flat).
+/// [`Flat`](crate::shade::Flat).
 #[derive(Clone, Copy, Debug)]
 pub struct TexturedFlat<'a, S, F = Nearest, M = Adaptive, C = i16, L = Light> {
     skin: Skin<'a, S, F, M, C>,
@@ -155,7 +155,7 @@ mod tests {
 
     use super::{
         super::{
-            Level,
+            super::Level,
             skin::square::{GRAY, SIDE, drawn},
         },
         *,

@@ -1,11 +1,22 @@
-//! A texture without light.
+//! A texture, without light or with it.
+
+mod flat;
+mod gouraud;
+mod matcap;
+mod skin;
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 
-use super::{
-    Face, OnScreen, Sample, Shader,
-    skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying, VertexCoordinates},
+#[cfg(test)]
+pub(super) use self::skin::square;
+use self::skin::{ColorOf, FaceOf, Skin, TexelOf, Varying};
+pub use self::{
+    flat::TexturedFlat,
+    gouraud::TexturedGouraud,
+    matcap::Matcap,
+    skin::{Covered, Slot, VertexCoordinates},
 };
+use super::{Face, OnScreen, Sample, Shader};
 use crate::{
     attribute::{Adaptive, Correction},
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
@@ -143,7 +154,7 @@ mod tests {
     use embedded_graphics_core::pixelcolor::Gray8;
 
     use super::{
-        super::skin::square::{GRAY, SIDE, drawn},
+        skin::square::{GRAY, SIDE, drawn},
         *,
     };
     use crate::{

@@ -29,10 +29,10 @@ pub trait Place: Copy + Debug {
 }
 
 /// [`Here`] if one of two is.
-pub(super) type Ambit<A, B> = <A as Place>::Or<B>;
+pub(in crate::shade) type Ambit<A, B> = <A as Place>::Or<B>;
 
 /// The bits of a position as a varying.
-pub(super) const POSITION_BITS: u32 = 14;
+pub(in crate::shade) const POSITION_BITS: u32 = 14;
 
 /// Light is the same at all positions.
 #[derive(Clone, Copy, Debug)]

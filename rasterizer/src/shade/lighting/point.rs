@@ -8,7 +8,7 @@ use crate::{
 /// A point in object space, in steps that are fine enough for points between the vertices, and
 /// coarse enough for any distance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Point {
+pub(in crate::shade) struct Point {
     /// Each below 2^28 in magnitude.
     at: [i32; 3],
     /// From a position of 16 bits to steps: shifted up, then down. One of them is 0.
@@ -26,13 +26,13 @@ const BITS: i32 = 28;
 
 impl Point {
     /// At the mesh's origin.
-    pub(super) const ORIGIN: Self = Self { at: [0; 3], up: 0, down: 0, spare_bits: 0 };
+    pub(in crate::shade) const ORIGIN: Self = Self { at: [0; 3], up: 0, down: 0, spare_bits: 0 };
 
     /// A point of the world, and the exponent of its step in units of a position of 16 bits. It is
     /// within 2^-12 of that unit, or 2^-27 of its distance.
     // codegen: not inlined: its temporaries leave the stack.
     #[inline(never)]
-    pub(super) fn of(world: Vec3, view: &ObjectView<'_>) -> (Self, i32) {
+    pub(in crate::shade) fn of(world: Vec3, view: &ObjectView<'_>) -> (Self, i32) {
         let (pose, mesh) = (view.pose(), view.mesh());
         let offset = mesh.tables().offset.to_bits();
         let per_unit = units_per_length(view);
@@ -63,7 +63,7 @@ impl Point {
 
     /// A point so far away that it is in the same direction from everywhere: that of a vector of
     /// length one in object space, in Q30.
-    pub(super) fn toward(direction: [i32; 3], view: &ObjectView<'_>) -> Self {
+    pub(in crate::shade) fn toward(direction: [i32; 3], view: &ObjectView<'_>) -> Self {
         Self {
             at: direction.map(|c| c >> (30 - BITS)),
             up: 0,
@@ -74,14 +74,14 @@ impl Point {
 
     /// The direction to it from a position of 16 bits.
     #[inline(always)]
-    pub(super) fn from(&self, position: [i32; 3]) -> Direction {
+    pub(in crate::shade) fn from(&self, position: [i32; 3]) -> Direction {
         let way = |axis: usize| self.at[axis] - ((position[axis] << self.up) >> self.down);
         Direction::of([way(0), way(1), way(2)])
     }
 
     /// The position of a vertex, in 16 bits.
     #[inline(always)]
-    pub(super) fn normalised(&self, position: [i16; 3]) -> [i32; 3] {
+    pub(in crate::shade) fn normalised(&self, position: [i16; 3]) -> [i32; 3] {
         position.map(|c| i32::from(c) << self.spare_bits)
     }
 }
@@ -97,7 +97,7 @@ fn units_per_length(view: &ObjectView<'_>) -> Float {
 }
 
 /// A length of the world in units of a position of 16 bits.
-pub(super) fn length(world: Float, view: &ObjectView<'_>) -> Float {
+pub(in crate::shade) fn length(world: Float, view: &ObjectView<'_>) -> Float {
     let per_scale = reciprocal(Float::from_unsigned(view.pose().scale));
     world.times(per_scale).times(units_per_length(view))
 }

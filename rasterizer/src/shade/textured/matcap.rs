@@ -3,7 +3,7 @@
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
-    Face, OnScreen, Sample, Shader,
+    super::{Face, OnScreen, Sample, Shader},
     skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying},
 };
 use crate::{
@@ -44,7 +44,7 @@ pub struct Matcap<'a, S, F = Nearest, M = Affine> {
 
 impl<'a, S> Matcap<'a, S> {
     /// With the textures of a mesh by its materials, or one for all: nearest texels, linear on the
-    /// screen like [`Gouraud`](super::Gouraud)'s light.
+    /// screen like [`Gouraud`](crate::shade::Gouraud)'s light.
     #[must_use]
     pub const fn new<const N: usize>(textures: &'a [S; N]) -> Self {
         Self { skin: Skin::new(textures), factors: [[0; 3]; 2] }
@@ -163,7 +163,7 @@ mod tests {
         mesh::{Material, Mesh, Positions, Tables, Triangles},
         numbers::{Rotation, Turn, Vec3},
         random::Random,
-        shade::skin::square::{GRAY, SIDE, drawn},
+        shade::textured::square::{GRAY, SIDE, drawn},
         texture::{Colors, Texture},
     };
 

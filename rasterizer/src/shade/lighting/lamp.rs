@@ -1,8 +1,7 @@
 //! A light at a point, which gets weaker with distance.
 
 use super::{
-    Level,
-    lighting::{FULL, Illuminate, add},
+    FULL, Illuminate, Level, add,
     place::Here,
     point::{Point, length},
     spot::{Spot, Viewpoint},
@@ -127,7 +126,7 @@ impl Illuminate for Lamp {
 #[cfg(test)]
 mod tests {
     use super::{
-        super::scenes::{Scene, dot, f64s, minus, random_normal, unit_f64},
+        super::super::scenes::{Scene, dot, f64s, minus, random_normal, unit_f64},
         *,
     };
     use crate::random::Random;

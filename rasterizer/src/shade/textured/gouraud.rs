@@ -5,8 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
-    Face, Light, Lighting, OnScreen, Sample, Shader,
-    lit::vertex_level,
+    super::{Face, Light, Lighting, OnScreen, Sample, Shader, lighting::vertex_level},
     skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates},
 };
 use crate::{
@@ -162,7 +161,7 @@ mod tests {
 
     use super::{
         super::{
-            Level,
+            super::Level,
             skin::square::{GRAY, drawn},
         },
         *,

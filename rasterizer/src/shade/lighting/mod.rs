@@ -1,14 +1,29 @@
 //! Any number of lights of any kind.
 
+mod gloss;
+mod lamp;
+mod light;
+mod lit;
+mod place;
+mod point;
+mod spot;
+
 use core::fmt::Debug;
 
-use super::{
-    place::{Ambit, Place},
-    spot::{Spot, Viewpoint},
+pub(super) use self::{
+    gloss::Gloss,
+    lit::{Lit, face_level, vertex_level},
+    place::{Ambit, POSITION_BITS, Place},
+    spot::{Eye, Spot, Viewpoint},
+};
+pub use self::{
+    lamp::Lamp,
+    light::{Level, Light},
+    spot::{FarViewer, NearViewer, ViewedFrom},
 };
 use crate::geometry::ObjectView;
 
-/// What lights a surface: a [`Light`](super::Light), a [`Lamp`](super::Lamp), or several, as an
+/// What lights a surface: a [`Light`], a [`Lamp`], or several, as an
 /// array or a tuple of up to four of any kind, such as `([Light; 2], Lamp)`.
 ///
 /// Their levels are added, and the sum is at most 1. Light is white: it makes a surface's colour
@@ -19,7 +34,7 @@ pub trait Lighting: Copy + Debug + Illuminate {}
 impl<L: Illuminate> Lighting for L {}
 
 /// One full level, in Q30.
-pub(super) const FULL: u32 = 1 << 30;
+pub(in crate::shade) const FULL: u32 = 1 << 30;
 
 /// What shaders need of lights.
 pub trait Illuminate: Copy + Debug {
@@ -49,13 +64,17 @@ pub trait Illuminate: Copy + Debug {
 
 /// The brightness in Q16, from 0 to 65,536.
 #[inline(always)]
-pub(super) fn level<L: Illuminate>(lights: &L, normal: [i8; 3], position: [i16; 3]) -> u32 {
+pub(in crate::shade) fn level<L: Illuminate>(
+    lights: &L,
+    normal: [i8; 3],
+    position: [i16; 3],
+) -> u32 {
     lights.brightness(normal, position) >> 12
 }
 
 /// Adds a level to one of [`Illuminate::shine`].
 #[inline(always)]
-pub(super) fn add(sum: &mut u32, level: u32) {
+pub(in crate::shade) fn add(sum: &mut u32, level: u32) {
     // Both are at most 2^31.
     *sum = (*sum + level).min(FULL);
 }

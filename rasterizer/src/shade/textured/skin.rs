@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::Face;
+use super::super::Face;
 use crate::{
     attribute::{Corrected, Correction, Interpolate, PerspectiveCorrect, Varyings},
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
@@ -83,7 +83,7 @@ impl<T: TexelMap> Slot for Option<T> {
 /// The textures of a mesh by its materials, filtered by `F`, with perspective corrected by `M` and
 /// coordinates in the format `C`.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Skin<'a, S, F, M, C> {
+pub(in crate::shade) struct Skin<'a, S, F, M, C> {
     first: &'a S,
     all: &'a [S],
     choices: PhantomData<(F, M, C)>,
@@ -95,7 +95,7 @@ type Coordinates<S, F, C> = <F as Filter<<S as Slot>::Texture>>::Coordinates<
 >;
 
 /// Texture coordinates as a vertex has them.
-pub(super) type Varying<S, F, M, C> = PerspectiveCorrect<Coordinates<S, F, C>, M>;
+pub(in crate::shade) type Varying<S, F, M, C> = PerspectiveCorrect<Coordinates<S, F, C>, M>;
 
 /// Texture coordinates as a vertex on the screen has them.
 type OnScreen<S, F, M, C> = <Varying<S, F, M, C> as Varyings>::OnScreen;
@@ -104,28 +104,28 @@ type OnScreen<S, F, M, C> = <Varying<S, F, M, C> as Varyings>::OnScreen;
 type SampleOf<S, F, M, C> = <OnScreen<S, F, M, C> as Interpolate>::Sample;
 
 /// What a filter computes of a triangle.
-pub(super) type FaceOf<S, F> = <F as Filter<<S as Slot>::Texture>>::Face;
+pub(in crate::shade) type FaceOf<S, F> = <F as Filter<<S as Slot>::Texture>>::Face;
 
 /// The texels of a texture.
-pub(super) type TexelsOf<S> = <<S as Slot>::Texture as TexelMap>::Texels;
+pub(in crate::shade) type TexelsOf<S> = <<S as Slot>::Texture as TexelMap>::Texels;
 
 /// What the light of a texture is.
-pub(super) type LightOf<S> = <TexelsOf<S> as LitTexels>::Light;
+pub(in crate::shade) type LightOf<S> = <TexelsOf<S> as LitTexels>::Light;
 
 /// The type of a texel.
-pub(super) type TexelOf<S> = <TexelsOf<S> as Texels>::Texel;
+pub(in crate::shade) type TexelOf<S> = <TexelsOf<S> as Texels>::Texel;
 
 /// The type of a texel's colour.
-pub(super) type ColorOf<S> = <TexelsOf<S> as Texels>::Color;
+pub(in crate::shade) type ColorOf<S> = <TexelsOf<S> as Texels>::Color;
 
 impl<'a, S, F, M, C> Skin<'a, S, F, M, C> {
-    pub(super) const fn new<const N: usize>(textures: &'a [S; N]) -> Self {
+    pub(in crate::shade) const fn new<const N: usize>(textures: &'a [S; N]) -> Self {
         const { assert!(N > 0, "a shader with textures needs at least one") };
         Self { first: &textures[0], all: textures, choices: PhantomData }
     }
 
     /// With textures whose number is known at run time; `None` without any.
-    pub(super) const fn from_slice(textures: &'a [S]) -> Option<Self> {
+    pub(in crate::shade) const fn from_slice(textures: &'a [S]) -> Option<Self> {
         match textures {
             [] => None,
             [first, ..] => Some(Self { first, all: textures, choices: PhantomData }),
@@ -133,7 +133,7 @@ impl<'a, S, F, M, C> Skin<'a, S, F, M, C> {
     }
 
     /// The same textures by other choices.
-    pub(super) const fn chosen<G, N, D>(self) -> Skin<'a, S, G, N, D> {
+    pub(in crate::shade) const fn chosen<G, N, D>(self) -> Skin<'a, S, G, N, D> {
         Skin { first: self.first, all: self.all, choices: PhantomData }
     }
 }
@@ -141,25 +141,29 @@ impl<'a, S, F, M, C> Skin<'a, S, F, M, C> {
 impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'_, S, F, M, C> {
     /// The texture of a material, and its colour.
     #[inline(always)]
-    pub(super) fn surface<P>(&self, material: &MeshMaterial<'_>, color: P) -> Covered<S, P> {
+    pub(in crate::shade) fn surface<P>(
+        &self,
+        material: &MeshMaterial<'_>,
+        color: P,
+    ) -> Covered<S, P> {
         Covered { slot: *self.all.get(material.index()).unwrap_or(self.first), color }
     }
 
     #[inline(always)]
-    pub(super) fn vertex(vertex: &MeshVertex<'_>) -> Varying<S, F, M, C> {
+    pub(in crate::shade) fn vertex(vertex: &MeshVertex<'_>) -> Varying<S, F, M, C> {
         Self::at(C::of(vertex))
     }
 
     /// The varying of these coordinates.
     #[inline(always)]
-    pub(super) fn at(coordinates: [C; 2]) -> Varying<S, F, M, C> {
+    pub(in crate::shade) fn at(coordinates: [C; 2]) -> Varying<S, F, M, C> {
         let coordinates = <S::Texture as TexelMap>::Coordinates::<C>::from(coordinates);
         PerspectiveCorrect::new(coordinates.into())
     }
 
     /// What the filter computes of a triangle with these coordinates at its corners.
     #[inline(always)]
-    pub(super) fn face<V: Interpolate>(
+    pub(in crate::shade) fn face<V: Interpolate>(
         texture: &S::Texture,
         gradients: &Gradients<'_, V>,
         coordinates: impl Fn(V) -> OnScreen<S, F, M, C>,
@@ -178,7 +182,7 @@ impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'
 
     /// The texel of a pixel, of which `fetch` gets one by its number.
     #[inline(always)]
-    pub(super) fn texel(
+    pub(in crate::shade) fn texel(
         texture: &S::Texture,
         face: &FaceOf<S, F>,
         pixel: Corrected<<S::Texture as TexelMap>::Place>,
@@ -201,7 +205,7 @@ where
 {
     /// What the filter computes of a triangle, or the colour of a bare material.
     #[inline(always)]
-    pub(super) fn plain_face(
+    pub(in crate::shade) fn plain_face(
         surface: &Covered<S, ColorOf<S>>,
         gradients: &Gradients<'_, OnScreen<S, F, M, C>>,
     ) -> Face<ColorOf<S>, FaceOf<S, F>> {
@@ -213,7 +217,7 @@ where
 
     /// Returns the texels of the pixels of a triangle.
     #[inline(always)]
-    pub(super) fn plain_pixels(
+    pub(in crate::shade) fn plain_pixels(
         &Covered { slot, color }: &Covered<S, ColorOf<S>>,
         face: FaceOf<S, F>,
     ) -> impl Fn(Fragment<SampleOf<S, F, M, C>>) -> TexelOf<S> + Copy + use<S, F, M, C> {
@@ -239,7 +243,7 @@ where
 {
     /// The texel of a pixel in this light.
     #[inline(always)]
-    pub(super) fn lit_texel(
+    pub(in crate::shade) fn lit_texel(
         texture: &S::Texture,
         face: &FaceOf<S, F>,
         pixel: Corrected<<S::Texture as TexelMap>::Place>,
@@ -253,8 +257,8 @@ where
 /// What a material is covered with: its texture, if it has one, and its colour.
 #[derive(Clone, Copy, Debug)]
 pub struct Covered<S, P> {
-    pub(super) slot: S,
-    pub(super) color: P,
+    pub(in crate::shade) slot: S,
+    pub(in crate::shade) color: P,
 }
 
 /// A texel of a material without texture, in a shader that draws these in one colour, so that no
@@ -263,13 +267,13 @@ pub struct Covered<S, P> {
 // texture takes one branch, which is not taken, and no more registers.
 #[cold]
 #[inline(never)]
-pub(super) fn bare<P, C: From<P>, T: Texel<C>>(color: P) -> T {
+pub(in crate::shade) fn bare<P, C: From<P>, T: Texel<C>>(color: P) -> T {
     T::opaque(C::from(codegen::unknown(color)))
 }
 
 /// A square of two triangles that fills a picture, for the tests of shaders.
 #[cfg(test)]
-pub(super) mod square {
+pub(in crate::shade) mod square {
     use std::vec::Vec;
 
     use embedded_graphics_core::{

@@ -9,7 +9,7 @@ use crate::numbers::{codegen, divide, mul_high_unsigned};
 /// points h apart are off by h^2 / 8 of the second derivative, which is largest at the peak, where
 /// the 64 steps take 6.93 units of ln: (6.93 / 64)^2 / 8 is 2<sup>-9.4</sup>.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Gloss {
+pub(in crate::shade) struct Gloss {
     /// In Q15. The last two are 0.
     powers: [u16; STEPS + 2],
     /// Steps for a unit of the cosine, 2^-15, in Q16.
@@ -23,12 +23,12 @@ const ONE: u32 = 1 << 15;
 
 impl Gloss {
     /// Without highlights.
-    pub(super) const NONE: Self = Self { powers: [0; STEPS + 2], steps: 0 };
+    pub(in crate::shade) const NONE: Self = Self { powers: [0; STEPS + 2], steps: 0 };
 
     /// For an exponent from 1 to 1,000.
     // codegen: not inlined, because it is for once a material: its temporaries leave the stack.
     #[inline(never)]
-    pub(super) fn new(exponent: u16) -> Self {
+    pub(in crate::shade) fn new(exponent: u16) -> Self {
         let exponent = u32::from(exponent);
         // As -ln(1 - s) >= s, the power is below 2^-10 where s = 6.93 / n. In steps of Q16:
         // 64 * 2^16 * n / (6.93 * 2^15) = 18.47 n. All of the way to c = 0 takes 128.
@@ -47,7 +47,7 @@ impl Gloss {
 
     /// The power in Q15 of a cosine in Q15, which may be over 1 by a rounding.
     #[inline(always)]
-    pub(super) fn at(&self, cosine: u32) -> u32 {
+    pub(in crate::shade) fn at(&self, cosine: u32) -> u32 {
         // At most 2^15 times 2^14.2.
         let way = ONE.saturating_sub(cosine) * self.steps;
         let step = ((way >> 16) as usize).min(STEPS);

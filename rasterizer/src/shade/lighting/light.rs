@@ -3,7 +3,7 @@
 use fixed::types::U1F15;
 
 use super::{
-    lighting::{FULL, Illuminate, add},
+    FULL, Illuminate, add,
     place::Anywhere,
     spot::{Spot, Viewpoint, half},
 };

@@ -3,8 +3,8 @@
 use core::{fmt::Debug, marker::PhantomData};
 
 use super::{
+    FULL,
     gloss::Gloss,
-    lighting::FULL,
     place::{Anywhere, Here, Place},
     point::Point,
 };
@@ -49,7 +49,7 @@ impl Viewpoint for NearViewer {
 
 /// Where an object is seen from, in its space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Eye<V> {
+pub(in crate::shade) struct Eye<V> {
     point: Point,
     /// The direction from the middle of the mesh's box, in Q15.
     direction: [i32; 3],
@@ -58,12 +58,12 @@ pub(super) struct Eye<V> {
 
 impl<V: Viewpoint> Eye<V> {
     /// Before there is an object.
-    pub(super) const NOWHERE: Self =
+    pub(in crate::shade) const NOWHERE: Self =
         Self { point: Point::ORIGIN, direction: [0; 3], kind: PhantomData };
 
     // codegen: not inlined: its temporaries leave the stack.
     #[inline(never)]
-    pub(super) fn of(view: &ObjectView<'_>) -> Self {
+    pub(in crate::shade) fn of(view: &ObjectView<'_>) -> Self {
         let point = match view.viewer() {
             Viewer::At(eye) => Point::of(eye, view).0,
             Viewer::Toward(direction) => {
@@ -79,7 +79,7 @@ impl<V: Viewpoint> Eye<V> {
     }
 
     /// The direction towards the viewer from the middle of the mesh, in Q15.
-    pub(super) const fn direction(&self) -> [i32; 3] {
+    pub(in crate::shade) const fn direction(&self) -> [i32; 3] {
         self.direction
     }
 
@@ -94,9 +94,9 @@ impl<V: Viewpoint> Eye<V> {
 #[derive(Clone, Copy, Debug)]
 pub struct Spot<'a, V> {
     /// Of length one, in Q15.
-    pub(super) normal: [i32; 3],
+    pub(in crate::shade) normal: [i32; 3],
     /// In 16 bits.
-    pub(super) position: [i32; 3],
+    pub(in crate::shade) position: [i32; 3],
     /// The direction towards the viewer, in Q15.
     viewer: [i32; 3],
     gloss: &'a Gloss,
@@ -106,20 +106,24 @@ pub struct Spot<'a, V> {
 impl<'a, V: Viewpoint> Spot<'a, V> {
     /// With a normal of a length below 2^16.
     #[inline(always)]
-    pub(super) fn new([normal, position]: [[i32; 3]; 2], eye: &Eye<V>, gloss: &'a Gloss) -> Self {
+    pub(in crate::shade) fn new(
+        [normal, position]: [[i32; 3]; 2],
+        eye: &Eye<V>,
+        gloss: &'a Gloss,
+    ) -> Self {
         let normal = unit_q15(normal);
         Self { normal, position, viewer: eye.from(position), gloss, kind: PhantomData }
     }
 
     /// The direction halfway between that of a light and that of the viewer, in Q15.
     #[inline(always)]
-    pub(super) fn half(&self, light: &[i32; 3]) -> [i32; 3] {
+    pub(in crate::shade) fn half(&self, light: &[i32; 3]) -> [i32; 3] {
         half(light, &self.viewer)
     }
 
     /// What a light of this level, in Q15, adds to the highlights, in Q30.
     #[inline(always)]
-    pub(super) fn highlight(&self, half: &[i32; 3], level: u32) -> u32 {
+    pub(in crate::shade) fn highlight(&self, half: &[i32; 3], level: u32) -> u32 {
         let cosine = dot_q15(&self.normal, half).max(0) as u32 >> 15;
         (self.gloss.at(cosine) * level).min(FULL)
     }
@@ -127,7 +131,7 @@ impl<'a, V: Viewpoint> Spot<'a, V> {
 
 /// The direction halfway between two of length one, in Q15; zero if they are opposite.
 #[inline(always)]
-pub(super) fn half([a, b, c]: &[i32; 3], [d, e, f]: &[i32; 3]) -> [i32; 3] {
+pub(in crate::shade) fn half([a, b, c]: &[i32; 3], [d, e, f]: &[i32; 3]) -> [i32; 3] {
     // Half their sum, so that the length stays below 2^16.
     unit_q15([a + d, b + e, c + f].map(|sum| sum - (sum >> 1)))
 }
