@@ -47,6 +47,7 @@
 //! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
+//! | which pixels of a line | `line.rs` | Vulkan specification, "Bresenham line segment rasterization" |
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
 //! | what outlines enclose | `winding.rs` | Shimrat, "Algorithm 112: Position of point relative to polygon", CACM 5(8), 1962 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
@@ -72,6 +73,7 @@ mod fog;
 mod footprint;
 mod interpolate;
 mod lights;
+mod line;
 mod mesh;
 mod mipmaps;
 mod picture;
@@ -95,6 +97,7 @@ pub use display::{Display, Steps, luma};
 pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
 pub use lights::{Finish, Lamp, Lights, Sun, Viewer};
+pub use line::Line;
 pub use mesh::{Corner, Culling, Mesh};
 pub use mipmaps::Mipmaps;
 pub use picture::{Fragment, Picture};

@@ -84,6 +84,25 @@ impl ClipPlane {
         self.difference(place, transform.lens.w(vertex.z).to_bits(), depths)
     }
 
+    /// The intersection with an edge of which one end lies inside, by the signed distances of both.
+    #[inline(always)]
+    fn cut<P: Projection, C: Coordinate, V: Varyings>(
+        self,
+        [from, to]: [&ClipVertex<C, V>; 2],
+        [from_distance, to_distance]: [i32; 2],
+        transform: &Transform<P>,
+    ) -> ClipVertex<C, V> {
+        let (inside, outside) = if to_distance < 0 { (from, to) } else { (to, from) };
+        let mut vertex = if C::HAS_FRACTION {
+            exact_crossing(self, inside, outside, transform)
+        } else {
+            let (most, least) = (from_distance.max(to_distance), from_distance.min(to_distance));
+            crossing(inside, outside, most, least)
+        };
+        self.put_onto(&mut vertex, transform);
+        vertex
+    }
+
     /// Moves a new vertex, which is rounded, exactly onto the plane.
     fn put_onto<P: Projection, C: Coordinate, V>(
         self,
@@ -100,6 +119,25 @@ impl ClipPlane {
             Self::Bottom => vertex.y = C::from_bits(w),
         }
     }
+}
+
+/// Returns the part of a line that lies inside all planes, in its direction. It has the same new
+/// ends as an edge of a triangle.
+pub(crate) fn clip_line<P: Projection, C: Coordinate, V: Varyings>(
+    [mut from, mut to]: [ClipVertex<C, V>; 2],
+    transform: &Transform<P>,
+) -> Option<[ClipVertex<C, V>; 2]> {
+    for plane in PLANES {
+        let distances = [plane.distance(&from, transform), plane.distance(&to, transform)];
+        let cut = || plane.cut([&from, &to], distances, transform);
+        match distances.map(|distance| distance < 0) {
+            [false, false] => {}
+            [true, true] => return None,
+            [true, false] => from = cut(),
+            [false, true] => to = cut(),
+        }
+    }
+    Some([from, to])
 }
 
 /// Visits the corners of the part of a triangle that lies inside all planes: a convex polygon, in
@@ -124,16 +162,8 @@ pub(crate) fn clip<P: Projection, C: Coordinate, V: Varyings>(
         for to in &polygon {
             let to_distance = plane.distance(to, transform);
             if (from_distance < 0) != (to_distance < 0) {
-                let (inside, outside) = if to_distance < 0 { (from, to) } else { (to, from) };
-                let mut vertex = if C::HAS_FRACTION {
-                    exact_crossing(plane, inside, outside, transform)
-                } else {
-                    let (most, least) =
-                        (from_distance.max(to_distance), from_distance.min(to_distance));
-                    crossing(inside, outside, most, least)
-                };
-                plane.put_onto(&mut vertex, transform);
-                let _ = cut.push(vertex);
+                let distances = [from_distance, to_distance];
+                let _ = cut.push(plane.cut([from, to], distances, transform));
             }
             if to_distance >= 0 {
                 let _ = cut.push(*to);
@@ -359,8 +389,12 @@ mod tests {
                 [0; 4].map(|_| vertex(&transform, [0; 3].map(|_| coordinate(&mut random))));
             let left = polygon([a, b, c], &transform);
             let right = polygon([b, a, d], &transform);
-            // The edge alone, as a degenerate triangle that runs there and back.
+            // The edge alone: as a degenerate triangle that runs there and back, and as a line.
             let edge = polygon([a, b, b], &transform);
+            match clip_line([a, b], &transform) {
+                Some(ends) => assert!(ends.iter().all(|end| edge.contains(end)), "{a:?} {b:?}"),
+                None => assert!(edge.is_empty(), "{a:?} {b:?}"),
+            }
             for corner in &edge {
                 cut += usize::from(*corner != a && *corner != b);
                 assert!(left.contains(corner), "{a:?} {b:?} {c:?}: {corner:?}");

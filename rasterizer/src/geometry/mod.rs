@@ -23,7 +23,7 @@ mod transform;
 mod view;
 mod visibility;
 
-pub(crate) use clip::{MAX_CORNERS, clip};
+pub(crate) use clip::{MAX_CORNERS, clip, clip_line};
 pub use lens::Projection;
 pub use pose::{Pose, PoseError};
 pub use screen::ScreenVertex;

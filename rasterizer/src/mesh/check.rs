@@ -17,6 +17,11 @@ pub enum MeshError {
         /// The triangle's place in the table, from 0.
         triangle: usize,
     },
+    /// A line has the index of a vertex that does not exist.
+    LineOutOfRange {
+        /// The line's place in the table, from 0.
+        line: usize,
+    },
     /// `vertex_normals` is neither empty nor as long as `positions`.
     VertexNormalCount,
     /// `face_normals` is neither empty nor as long as `triangles`.
@@ -54,6 +59,7 @@ impl MeshError {
             }
             Self::NoTriangles => "the mesh has no triangles",
             Self::IndexOutOfRange { .. } => "a triangle names a vertex past the end of `positions`",
+            Self::LineOutOfRange { .. } => "a line names a vertex that the mesh does not have",
             Self::VertexNormalCount => "`vertex_normals` must be empty or as long as `positions`",
             Self::FaceNormalCount => "`face_normals` must be empty or as long as `triangles`",
             Self::TextureCoordinateCount => {
@@ -80,6 +86,7 @@ impl core::fmt::Display for MeshError {
         f.write_str(self.message())?;
         match self {
             Self::IndexOutOfRange { triangle } => write!(f, " (triangle {triangle})"),
+            Self::LineOutOfRange { line } => write!(f, " (line {line})"),
             Self::FinishExponent { material } => write!(f, " (material {material})"),
             Self::TextureRange { vertex } => write!(f, " (vertex {vertex})"),
             _ => Ok(()),

@@ -12,6 +12,7 @@ mod bounds;
 mod check;
 mod columns;
 mod finish;
+mod lines;
 mod material;
 mod vertex;
 
@@ -20,6 +21,7 @@ pub use check::MeshError;
 pub use columns::{Normals, Positions, TextureCoordinates, Triangles};
 use embedded_graphics_core::pixelcolor::Rgb888;
 pub use finish::Finish;
+pub use lines::{Lines, Segments};
 pub use material::MeshMaterial;
 pub use vertex::{MeshFace, MeshVertex, RequiredTables};
 

@@ -10,13 +10,17 @@
 //! centres only. This module knows nothing of colours, buffers and displays: a [`Primitive`] visits
 //! its [`Span`]s.
 
+mod bias;
 mod edge;
 mod gradients;
+mod line;
 mod primitive;
 mod triangle;
 mod window;
 
+pub use bias::{Bias, DepthBias, NoBias};
 pub use gradients::Gradients;
+pub use line::Line;
 pub use primitive::{Fragment, FragmentOf, Primitive, Span};
 pub use triangle::Triangle;
 pub(crate) use triangle::{first_center, signed_area};

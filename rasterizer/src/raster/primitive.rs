@@ -7,7 +7,7 @@ use crate::attribute::{DepthFormat, Interpolate};
 
 /// A shape on the screen: it visits the spans of pixels that it covers.
 ///
-/// The core has the [`Triangle`](super::Triangle). A target draws any primitive, so that a new one
+/// The core has the [`Triangle`](super::Triangle) and the [`Line`](super::Line). A target draws any primitive, so that a new one
 /// takes no change in a target, nor a new target in a primitive.
 pub trait Primitive {
     /// How its depth is kept.
@@ -15,8 +15,7 @@ pub trait Primitive {
     /// What is interpolated over it.
     type Varyings: Interpolate;
 
-    /// Visits its pixels that lie in `window`, row by row from the top, with their addresses in
-    /// `layout`.
+    /// Visits its pixels that lie in `window`, each once, with their addresses in `layout`.
     ///
     /// # Errors
     ///

@@ -65,9 +65,18 @@ impl<'v, S: Subpixel, D: DepthFormat, V: Interpolate> Triangle<'v, S, D, V> {
 
     /// Its varyings as a function of the display's columns and rows.
     pub(super) fn varyings_field(&self) -> V::Field {
+        self.fields(Layout { pitch: 0, origin: 0 }).1
+    }
+
+    /// Depth and varyings as functions of addresses.
+    pub(super) fn fields(&self, layout: Layout) -> (D::Field, V::Field) {
         let sorted = self.sorted();
         let (setup, quick) = (sorted.setup(), sorted.quick());
-        V::plane(&setup, quick, sorted.varyings()).over_addresses(sorted.to_first(0), 0)
+        let to_first = sorted.to_first(layout.origin);
+        (
+            D::plane(&setup, quick, sorted.depths()).over_addresses(to_first, layout.pitch),
+            V::plane(&setup, quick, sorted.varyings()).over_addresses(to_first, layout.pitch),
+        )
     }
 
     /// Its corners from top to bottom.

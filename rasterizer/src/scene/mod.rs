@@ -18,6 +18,7 @@
 mod back_to_front;
 mod bins;
 mod error;
+mod lines;
 mod mode;
 mod needs;
 mod order;
@@ -29,6 +30,7 @@ mod vertices;
 pub use back_to_front::BackToFront;
 pub use bins::{Bins, bin_words};
 pub use error::{DrawError, ProjectError};
+pub use lines::ProjectedLines;
 pub use mode::{Mode, Modes};
 pub use needs::Needs;
 pub use order::{MeshOrder, Order};
@@ -42,6 +44,7 @@ use crate::{
     mesh::Mesh,
     numbers::Subpixel,
     output::{Blending, Target},
+    raster::DepthBias,
     shade::{OnScreen, Shader},
 };
 
@@ -66,13 +69,15 @@ impl<'a, Sh: Shader> Object<'a, Sh> {
     }
 }
 
-impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy> Object<'a, Sh, Modes<K, L, B>> {
+impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias>
+    Object<'a, Sh, Modes<K, L, B, Z>>
+{
     /// The same object with other faces left out: [`CullBack`](crate::geometry::CullBack),
     /// [`CullFront`](crate::geometry::CullFront) or [`CullNone`](crate::geometry::CullNone).
     #[must_use]
-    pub fn culled<N: Culling>(self, culling: N) -> Object<'a, Sh, Modes<N, L, B>> {
-        let Modes { clipping, blending, .. } = self.mode;
-        self.with_mode(Modes { culling, clipping, blending })
+    pub fn culled<N: Culling>(self, culling: N) -> Object<'a, Sh, Modes<N, L, B, Z>> {
+        let Modes { clipping, blending, bias, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias })
     }
 
     /// The same object with triangles that reach beyond the near plane, the far plane or the guard
@@ -94,9 +99,9 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy> Object<'a, Sh, Modes<K, L
     /// # }
     /// ```
     #[must_use]
-    pub fn clipped<N: Clipping>(self, clipping: N) -> Object<'a, Sh, Modes<K, N, B>> {
-        let Modes { culling, blending, .. } = self.mode;
-        self.with_mode(Modes { culling, clipping, blending })
+    pub fn clipped<N: Clipping>(self, clipping: N) -> Object<'a, Sh, Modes<K, N, B, Z>> {
+        let Modes { culling, blending, bias, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias })
     }
 
     /// The same object with its pixels put onto the target in another way:
@@ -104,9 +109,18 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy> Object<'a, Sh, Modes<K, L
     /// [`Add`](crate::output::Add), [`Blend`](crate::output::Blend) with a function of the stored
     /// colour and the new one; or one of them in [`KeepDepth`](crate::output::KeepDepth).
     #[must_use]
-    pub fn blended<N: Copy>(self, blending: N) -> Object<'a, Sh, Modes<K, L, N>> {
-        let Modes { culling, clipping, .. } = self.mode;
-        self.with_mode(Modes { culling, clipping, blending })
+    pub fn blended<N: Copy>(self, blending: N) -> Object<'a, Sh, Modes<K, L, N, Z>> {
+        let Modes { culling, clipping, bias, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias })
+    }
+
+    /// The same object with its depth moved towards the viewer or away from it by a
+    /// [`Bias`](crate::raster::Bias): for a decal on another object, or for an object whose
+    /// [lines](Projected::lines) are drawn over it.
+    #[must_use]
+    pub fn biased<N: DepthBias>(self, bias: N) -> Object<'a, Sh, Modes<K, L, B, N>> {
+        let Modes { culling, clipping, blending, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias })
     }
 }
 

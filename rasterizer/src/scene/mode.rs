@@ -3,6 +3,7 @@
 use crate::{
     geometry::{ClipAll, Clipping, CullBack, Culling},
     output::Replace,
+    raster::{DepthBias, NoBias},
 };
 
 /// An object's choices, as one parameter: [`Modes`] of them.
@@ -13,38 +14,51 @@ pub trait Mode: Copy + private::Sealed {
     type Clipping: Clipping;
     /// How pixels are put onto a target.
     type Blending: Copy;
+    /// Whether the depth of triangles is moved.
+    type Bias: DepthBias;
 
     /// How pixels are put onto a target.
     fn blending(&self) -> Self::Blending;
+
+    /// How the depth of triangles is moved.
+    fn bias(&self) -> Self::Bias;
 }
 
 /// The choices by their values: back faces are culled, triangles are clipped and pixels replaced
-/// unless [`Object`](super::Object)'s methods `culled`, `clipped` and `blended` say otherwise.
+/// unless [`Object`](super::Object)'s methods `culled`, `clipped` and `blended` say otherwise; the
+/// depth of triangles is theirs unless `biased` moves it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub struct Modes<K = CullBack, L = ClipAll, B = Replace> {
+pub struct Modes<K = CullBack, L = ClipAll, B = Replace, Z = NoBias> {
     pub(super) culling: K,
     pub(super) clipping: L,
     pub(super) blending: B,
+    pub(super) bias: Z,
 }
 
 impl Modes {
     /// Back faces culled, triangles clipped, pixels replaced.
     pub(super) const DEFAULT: Self =
-        Self { culling: CullBack, clipping: ClipAll, blending: Replace };
+        Self { culling: CullBack, clipping: ClipAll, blending: Replace, bias: NoBias };
 }
 
-impl<K: Culling, L: Clipping, B: Copy> Mode for Modes<K, L, B> {
+impl<K: Culling, L: Clipping, B: Copy, Z: DepthBias> Mode for Modes<K, L, B, Z> {
     type Culling = K;
     type Clipping = L;
     type Blending = B;
+    type Bias = Z;
 
     #[inline(always)]
     fn blending(&self) -> B {
         self.blending
     }
+
+    #[inline(always)]
+    fn bias(&self) -> Z {
+        self.bias
+    }
 }
 
 mod private {
     pub trait Sealed {}
-    impl<K, L, B> Sealed for super::Modes<K, L, B> {}
+    impl<K, L, B, Z> Sealed for super::Modes<K, L, B, Z> {}
 }

@@ -16,7 +16,7 @@ use crate::{
     mesh::MeshFace,
     numbers::Subpixel,
     output::{Blending, Target},
-    raster::{Gradients, Triangle},
+    raster::{DepthBias as _, Gradients, Triangle},
     shade::{Face, OnScreen, Shader},
 };
 
@@ -104,6 +104,12 @@ where
                 }
                 // `prepare` has put it there.
                 let Some(surface) = &surface else { return Ok(()) };
+                let mut moved = None;
+                let corners = if M::Bias::MOVES {
+                    moved.insert(seen.mode.bias().moved(corners, area)).each_ref()
+                } else {
+                    corners
+                };
                 let triangle = Triangle::with_area(corners, area);
                 let face = MeshFace::new(seen.tables, index);
                 let blending = seen.mode.blending().of_material(&material);

@@ -30,7 +30,7 @@ type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, OnScreen<Sh>>, MAX_CORNERS>;
 pub(super) struct Seen<'a, V, P: Projection, Sh: Shader, M> {
     pub(super) tables: &'a Tables<'a>,
     pub(super) shader: Sh,
-    transform: Transform<P>,
+    pub(super) transform: Transform<P>,
     pub(super) vertices: V,
     /// Whether the mesh is certain to lie outside the picture; storage then holds no vertices.
     /// Always false with `ClipNone`.
@@ -168,9 +168,7 @@ where
             let Some(indices) = table.get(index) else {
                 break;
             };
-            let place = |index| {
-                on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
-            };
+            let place = |index| self.vertex_on_screen(index);
             let Some(corners) = lookup.corners(indices, place) else {
                 break;
             };
@@ -197,6 +195,25 @@ where
             }
         }
         Ok(())
+    }
+
+    /// Projects a vertex.
+    #[inline(always)]
+    pub(super) fn vertex_on_screen(
+        &self,
+        index: usize,
+    ) -> ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>> {
+        on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
+    }
+
+    /// A vertex that is to be clipped.
+    #[inline(always)]
+    pub(super) fn vertex_in_clip_space(
+        &self,
+        vertex: &MeshVertex<'_>,
+    ) -> ClipVertex<CoordinateOf<V, Sh>, Sh::Varyings> {
+        let [x, y, z] = self.transform.object_to_clip_outlined(vertex.position());
+        ClipVertex { x, y, z, varyings: self.shader.vertex(vertex) }
     }
 
     /// The signed area of a triangle that is seen and may reach `rows`.
@@ -229,12 +246,9 @@ where
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
         let indices = self.tables.triangles.get(index).unwrap_or_default();
-        let triangle = indices.into_iter().map(|index| {
-            let vertex = MeshVertex::new(self.tables, index);
-            let [x, y, z] = self.transform.object_to_clip_outlined(vertex.position());
-            let varyings = self.shader.vertex(&vertex);
-            ClipVertex { x, y, z, varyings }
-        });
+        let triangle = indices
+            .into_iter()
+            .map(|index| self.vertex_in_clip_space(&MeshVertex::new(self.tables, index)));
         clip(triangle, &self.transform, |vertex| {
             // There are as many places as `clip` has.
             let _ = corners.push(self.transform.place_on_screen(vertex));

@@ -1,0 +1,175 @@
+//! Lines between the vertices of an object.
+
+use fixed::types::U0F32;
+
+use super::{Mode, Projected, Vertices, seen::Seen, vertices::Lookup as _};
+use crate::{
+    attribute::DepthFormat,
+    geometry::{Clipping, Projection, ScreenVertex, clip_line},
+    mesh::{Lines, MeshMaterial, MeshVertex},
+    output::{Blending, Target},
+    raster::{Fragment, Line},
+    shade::{OnScreen, Sample, Shader},
+};
+
+/// Lines between the vertices of an object that is projected: what [`Projected::lines`] makes.
+///
+/// A line owns the pixels that [`Line`] tells, is cut where its triangles are cut, and is tested
+/// against depth like them. It has no front and no back.
+#[derive(Clone, Copy, Debug)]
+pub struct ProjectedLines<'p, 'a, V, P: Projection, Sh: Shader, M> {
+    seen: &'p Seen<'a, V, P, Sh, M>,
+    lines: &'p Lines<'p>,
+    width: u8,
+    nearer: U0F32,
+    material: usize,
+}
+
+impl<'a, V, P: Projection, Sh: Shader, M, O> Projected<'a, V, P, Sh, M, O> {
+    /// Lines of its mesh: of any table that was checked with it.
+    ///
+    /// They are drawn after its triangles or without them, by the same vertices, one pixel wide.
+    #[must_use]
+    pub const fn lines<'p>(&'p self, lines: &'p Lines<'p>) -> ProjectedLines<'p, 'a, V, P, Sh, M> {
+        let nearer = U0F32::ZERO;
+        ProjectedLines { seen: &self.seen, lines, width: 1, nearer, material: 0 }
+    }
+}
+
+impl<V, P: Projection, Sh: Shader, M> ProjectedLines<'_, '_, V, P, Sh, M> {
+    /// The same lines in another width in pixels.
+    #[must_use]
+    pub const fn wide(self, width: u8) -> Self {
+        Self { width, ..self }
+    }
+
+    /// The same lines moved towards the viewer by so much depth (near / w; 2<sup>-16</sup> is a
+    /// unit of the format `u16`), for lines that lie in a surface.
+    ///
+    /// Pixels of a line are up to half a pixel away from it. A surface beside them may be nearer
+    /// there: give that object a [`Bias`](crate::raster::Bias) instead, which depends on its slope.
+    #[must_use]
+    pub const fn nearer(self, depth: U0F32) -> Self {
+        Self { nearer: depth, ..self }
+    }
+
+    /// The same lines in another material of the mesh, by its place in the table; at first it is
+    /// the first one. It tells [`draw`](Self::draw) a colour.
+    #[must_use]
+    pub const fn of_material(self, index: usize) -> Self {
+        Self { material: index, ..self }
+    }
+}
+
+impl<V, P, Sh, M> ProjectedLines<'_, '_, V, P, Sh, M>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
+{
+    /// Draws all lines in one colour.
+    ///
+    /// # Errors
+    ///
+    /// Returns the target's first error, and draws no line after it.
+    pub fn fill<T>(&self, color: Sh::Color, target: &mut T) -> Result<(), T::Error>
+    where
+        T: Target<Color = Sh::Color, Depth = V::Depth>,
+        M::Blending: Blending<T>,
+    {
+        let window = target.window().intersection(&self.seen.viewport);
+        let blending = self.seen.mode.blending().of_material(&self.material());
+        self.for_each_on_screen(|ends| {
+            let ends: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 2] =
+                ends.map(|end| ScreenVertex::new(end.x, end.y, end.depth, []));
+            let line = Line::between(ends.each_ref(), self.width);
+            blending.fill(target, &line, &window, color)
+        })
+    }
+
+    /// Draws all lines in the colours of the object's shader, interpolated along them: of a shader
+    /// that computes nothing for a triangle as a whole, such as
+    /// [`Gouraud`](crate::shade::Gouraud) or [`Colored`](crate::shade::Colored).
+    ///
+    /// # Errors
+    ///
+    /// Returns the target's first error, and draws no line after it.
+    pub fn draw<T>(&self, target: &mut T) -> Result<(), T::Error>
+    where
+        T: Target<Color = Sh::Color, Depth = V::Depth>,
+        M::Blending: Blending<T>,
+        Sh: Shader<Face = ()>,
+    {
+        let window = target.window().intersection(&self.seen.viewport);
+        let blending = self.seen.mode.blending().of_material(&self.material());
+        let mut surface = None;
+        self.seen.prepare(self.material(), &mut surface);
+        let Some(surface) = &surface else { return Ok(()) };
+        self.for_each_on_screen(|ends| {
+            let line = Line::between(ends.each_ref(), self.width);
+            let pixel =
+                |fragment: Fragment<Sample<Sh>>| self.seen.shader.pixel(surface, &(), fragment);
+            blending.shade(target, &line, &window, pixel)
+        })
+    }
+
+    const fn material(&self) -> MeshMaterial<'_> {
+        MeshMaterial::new(self.seen.tables, self.material)
+    }
+
+    /// Visits the ends of the lines, or of the parts of them that are left after clipping.
+    #[inline(never)]
+    fn for_each_on_screen<E>(
+        &self,
+        mut visit: impl FnMut([ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>; 2]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        if self.seen.is_outside_view {
+            return Ok(());
+        }
+        let mut lookup = self.seen.vertices.lookup();
+        let segments = self.lines.segments();
+        for [from, to] in (0..segments.len()).map_while(|index| segments.get(index)) {
+            let place = |index| self.seen.vertex_on_screen(index);
+            // Of a mesh with fewer vertices than that which the lines were checked with.
+            let Some([a, b, _]) = lookup.corners([from, to, to], place) else { break };
+            let ends = [*a, *b];
+            let ends = if ends.iter().all(|end| end.is_on_screen()) {
+                Some(ends)
+            } else if M::Clipping::CUTS {
+                self.clipped([from, to])
+            } else {
+                None
+            };
+            if let Some(ends) = ends {
+                visit(ends.map(|end| self.moved(end)))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// An end, nearer by the lines' depth.
+    fn moved(
+        &self,
+        end: ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>,
+    ) -> ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>> {
+        if self.nearer == U0F32::ZERO {
+            return end;
+        }
+        let depth = end.depth.to_fraction().saturating_add(self.nearer);
+        ScreenVertex::new(end.x, end.y, V::Depth::from_fraction(depth.to_bits()), end.varyings)
+    }
+
+    /// The part of a line between near plane, far plane and guard band.
+    #[cold]
+    #[inline(never)]
+    fn clipped(
+        &self,
+        ends: [usize; 2],
+    ) -> Option<[ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>; 2]> {
+        let transform = &self.seen.transform;
+        let ends = ends
+            .map(|index| self.seen.vertex_in_clip_space(&MeshVertex::new(self.seen.tables, index)));
+        clip_line(ends, transform).map(|ends| ends.map(|end| transform.place_on_screen(end)))
+    }
+}
