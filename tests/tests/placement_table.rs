@@ -1,8 +1,8 @@
 //! Vertices of objects in other numbers: how many quanta they use, how far their offset lies, how
 //! near they come to the eye of how long a lens.
 //!
-//! `cargo test --package rasterizer-tests --test placement_table -- --nocapture` prints the table:
-//! for each precision how far the worst of 10,000 vertices is from its exact place, in sub-pixels.
+//! `cargo test --package rasterizer-tests placement_table -- --nocapture` prints the table: for
+//! each precision how far the worst of 10,000 vertices is from its exact place, in sub-pixels.
 //! It must be at most 5/8: half for snapping, an eighth for arithmetic.
 
 use embedded_graphics::pixelcolor::Rgb888;

@@ -1,0 +1,46 @@
+//! All tests of the rasterizer together with its host tools, in one program: what they share is
+//! compiled and linked once.
+//!
+//! `cargo test --package rasterizer-tests lights` runs those of the file `lights.rs`.
+
+mod any_shader;
+mod arithmetic;
+mod back_to_front;
+mod bands;
+mod clipping;
+mod compile_fail;
+mod coverage;
+mod depth_formats;
+mod dithering;
+mod errors;
+mod extremes;
+mod frames;
+mod lights;
+mod metamorphic;
+mod mip_levels;
+mod model_files;
+mod packed_frames;
+mod perspective;
+mod pictures;
+mod placement;
+mod placement_table;
+mod seam;
+mod sending;
+mod targets;
+mod textured_frames;
+mod unclipped;
+mod window_ends;
+
+/// A file that is no module here would be a test that never runs.
+#[test]
+fn every_file_of_tests_is_a_module() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("tests");
+    let names = std::fs::read_dir(folder).unwrap().map(|entry| {
+        let path = entry.unwrap().path();
+        path.file_stem().unwrap().to_string_lossy().into_owned()
+    });
+    let missing: Vec<_> = names
+        .filter(|name| name != "all" && !include_str!("all.rs").contains(&format!("\nmod {name};")))
+        .collect();
+    assert!(missing.is_empty(), "all.rs has no `mod` for {missing:?}");
+}
