@@ -67,6 +67,7 @@ examples! {
     textured = "../examples/textured.rs",
     unlit = "../examples/unlit.rs",
     vertex_colors = "../examples/vertex_colors.rs",
+    wireframe = "../examples/wireframe.rs",
 }
 
 /// With this variable set, pictures are renewed before they are compared.

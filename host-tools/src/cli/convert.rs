@@ -17,6 +17,7 @@ use super::{
     progress::Progress,
     smoothing::Smoothing,
     textures::{TextureArguments, TextureJson},
+    view::within,
 };
 
 /// Files of tables. Each begins with these words.
@@ -32,11 +33,12 @@ Examples:
   host-tools convert model.obj --normals face        Flat shading needs no other normals
   host-tools convert model.obj --texture-size 64x64 --texture-format indexed4 --mipmaps
   host-tools convert model.obj --no-textures         Only colours
+  host-tools convert model.obj --edges 30            Also its edges, for a wireframe
   host-tools convert model.obj --json | jq .flash
   export | host-tools convert - -o - > model.rs       Standard input and output
 
 Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL`. The textures of
-its materials are `model::MODEL_TEXTURES`.";
+its materials are `model::MODEL_TEXTURES`, its edges `model::MODEL_EDGES`.";
 
 /// Write a model as const tables in Rust
 #[derive(Debug, Args)]
@@ -66,6 +68,10 @@ pub(super) struct Arguments {
     /// Keep texture coordinates even without textures
     #[arg(long)]
     texture_coordinates: bool,
+    /// Make lines of the edges in which faces meet at this angle or more, and of borders: 0 for all
+    /// edges
+    #[arg(long, value_name = "DEGREES", value_parser = within(0.0, 180.0))]
+    edges: Option<f64>,
     /// Leave out the colours of vertices (`v x y z r g b`): materials have colours (`Kd`) too
     #[arg(long)]
     no_vertex_colors: bool,
@@ -92,6 +98,7 @@ impl Arguments {
         Options {
             fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
             fix_winding: self.fix_winding,
+            edges_degrees: self.edges,
             contents: Contents {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),
                 face_normals: matches!(self.normals, Normals::Face | Normals::Both),
@@ -138,12 +145,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         json(arguments, &path, &model)?
     } else {
         let mut text = model.report.to_string();
-        let mut statics = format!("static {}", model.name);
         if let Some(textures) = &model.textures {
             write!(text, "{textures}")?;
-            statics = format!("statics {0} and {0}_TEXTURES", model.name);
         }
-        writeln!(text, "\nWrote {}: {statics}", path.display())?;
+        let name = &model.name;
+        let statics: Vec<String> = [
+            Some(name.clone()),
+            (!model.edges.is_empty()).then(|| format!("{name}_EDGES")),
+            model.textures.as_ref().map(|_| format!("{name}_TEXTURES")),
+        ]
+        .into_iter()
+        .flatten()
+        .collect();
+        let word = if statics.len() == 1 { "static" } else { "statics" };
+        writeln!(text, "\nWrote {}: {word} {}", path.display(), statics.join(", "))?;
         text
     };
     Ok(text.into())

@@ -24,6 +24,7 @@ pub fn source(model: &Model) -> String {
     // Writing to a string cannot fail.
     let _ = header(&mut out, model)
         .and_then(|()| mesh(&mut out, model))
+        .and_then(|()| edges(&mut out, model))
         .and_then(|()| emit_textures::textures(&mut out, model));
     out
 }
@@ -150,6 +151,26 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     }
     writeln!(out, "        ..Tables::EMPTY")?;
     writeln!(out, "    }})")?;
+    writeln!(out, "}};")
+}
+
+/// The edges as lines, which the mesh checks.
+fn edges(out: &mut String, model: &Model) -> std::fmt::Result {
+    if model.edges.is_empty() {
+        return Ok(());
+    }
+    let (name, count) = (&model.name, model.edges.len());
+    let (format, entry_type) = match model.triangles {
+        Indices::U8(_) => ("U8", "[u8; 2]"),
+        Indices::U16(_) => ("U16", "[u16; 2]"),
+    };
+    writeln!(out)?;
+    writeln!(out, "/// {} edges of [`{name}`].", thousands(count))?;
+    writeln!(out, "#[rustfmt::skip]")?;
+    writeln!(out, "pub static {name}_EDGES: ::rasterizer::mesh::Lines<'static> = {{")?;
+    writeln!(out, "    use ::rasterizer::mesh::{{Lines, Segments}};")?;
+    table(out, "EDGES", entry_type, model.edges.iter().map(|edge| row(&edge.map(|i| i as i32))))?;
+    writeln!(out, "    Lines::new_const(&{name}, Segments::{format}(&EDGES))")?;
     writeln!(out, "}};")
 }
 

@@ -188,6 +188,14 @@ pub enum ModelError {
         /// The angle given.
         degrees: f64,
     },
+    /// The angle from which on edges are made is not from 0 to 180 degrees.
+    #[error(
+        "an angle of {degrees} degrees between faces is out of range: choose 0 (all edges) to 180"
+    )]
+    Edges {
+        /// The angle given.
+        degrees: f64,
+    },
     /// The parser rejects a file that passes the line checks.
     #[error("{}: the OBJ parser fails: {source}", shown(.path))]
     Parse {

@@ -13,6 +13,7 @@
 
 mod cap;
 mod ears;
+mod edges;
 pub mod emit;
 mod emit_textures;
 mod error;
@@ -98,6 +99,8 @@ pub struct Model {
     pub vertex_colors: Vec<[u8; 3]>,
     /// Vertex indices, sorted by material.
     pub triangles: Indices,
+    /// The edges as lines between vertices, if they are made.
+    pub edges: Vec<[u32; 2]>,
     /// The colours and how many triangles each covers.
     pub materials: Vec<Material>,
     /// What the materials show besides, or none if all are matte and opaque.
@@ -205,6 +208,9 @@ impl Model {
         let degrees = options.crease_degrees;
         if !(0.0..=180.0).contains(&degrees) {
             return Err(ModelError::Crease { degrees });
+        }
+        if let Some(degrees) = options.edges_degrees.filter(|d| !(0.0..=180.0).contains(d)) {
+            return Err(ModelError::Edges { degrees });
         }
         if bytes.is_empty() {
             return Err(ModelError::Empty { path: path.into() });
@@ -342,6 +348,8 @@ impl Model {
             vertex_normals: exact.vertex_normals.iter().map(|&n| quantize::normal(n)).collect(),
             face_normals: exact.face_normals.iter().map(|&n| quantize::normal(n)).collect(),
             triangles: Indices::new(&tables.welded.triangles, positions.len()),
+            edges: (options.edges_degrees)
+                .map_or_else(Vec::new, |degrees| edges::edges(&exact.faces, degrees)),
             positions,
             scale,
             offset: fitted.offset,
@@ -424,6 +432,11 @@ impl Model {
                 Indices::U8(triangles) => size_of_val(&triangles[..]),
                 Indices::U16(triangles) => size_of_val(&triangles[..]),
             },
+            edges: self.edges.len()
+                * match self.triangles {
+                    Indices::U8(_) => size_of::<[u8; 2]>(),
+                    Indices::U16(_) => size_of::<[u16; 2]>(),
+                },
             materials: size_of_val(&self.materials[..]),
             finishes: size_of_val(&self.finishes[..]),
             textures: self.textures.as_ref().map_or(0, Textures::bytes),

@@ -19,6 +19,9 @@ pub struct Options {
     /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
     /// follow the crease angle.
     pub smoothing_groups: bool,
+    /// Whether edges become lines: those in which faces meet at this angle in degrees or more, from
+    /// 0 for all to 180, and those of one face alone.
+    pub edges_degrees: Option<f64>,
     /// Which tables to make.
     pub contents: Contents,
     /// How the pictures of materials become textures, whose coordinates are then made too; `None`
@@ -30,13 +33,14 @@ pub struct Options {
 
 impl Default for Options {
     /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, the default
-    /// contents, textures, the name of the file.
+    /// contents, no edges, textures, the name of the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
             fix_winding: false,
             smoothing_groups: true,
+            edges_degrees: None,
             contents: Contents::default(),
             textures: Some(TextureOptions::default()),
             name: None,

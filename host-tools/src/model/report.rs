@@ -55,6 +55,8 @@ pub struct Flash {
     pub vertex_colors: usize,
     /// Three `u8` or `u16` a triangle.
     pub triangles: usize,
+    /// Two `u8` or `u16` an edge.
+    pub edges: usize,
     /// One `Material` each.
     pub materials: usize,
     /// One `Finish` each.
@@ -66,7 +68,7 @@ pub struct Flash {
 impl Flash {
     /// The tables by name.
     #[must_use]
-    pub const fn tables(&self) -> [(&'static str, usize); 9] {
+    pub const fn tables(&self) -> [(&'static str, usize); 10] {
         [
             ("positions", self.positions),
             ("vertex_normals", self.vertex_normals),
@@ -74,6 +76,7 @@ impl Flash {
             ("texture_coordinates", self.texture_coordinates),
             ("vertex_colors", self.vertex_colors),
             ("triangles", self.triangles),
+            ("edges", self.edges),
             ("materials", self.materials),
             ("finishes", self.finishes),
             ("textures", self.textures),

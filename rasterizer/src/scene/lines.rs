@@ -12,6 +12,11 @@ use crate::{
     shade::{OnScreen, Sample, Shader},
 };
 
+/// The ends of a line on the screen.
+type Ends<V, Sh> = [ScreenVertex<SubpixelOf<V, Sh>, DepthOf<V, Sh>, OnScreen<Sh>>; 2];
+type SubpixelOf<V, Sh> = <V as Vertices<OnScreen<Sh>>>::Subpixel;
+type DepthOf<V, Sh> = <V as Vertices<OnScreen<Sh>>>::Depth;
+
 /// Lines between the vertices of an object that is projected: what [`Projected::lines`] makes.
 ///
 /// A line owns the pixels that [`Line`] tells, is cut where its triangles are cut, and is tested
@@ -122,7 +127,7 @@ where
     #[inline(never)]
     fn for_each_on_screen<E>(
         &self,
-        mut visit: impl FnMut([ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>; 2]) -> Result<(), E>,
+        mut visit: impl FnMut(Ends<V, Sh>) -> Result<(), E>,
     ) -> Result<(), E> {
         if self.seen.is_outside_view {
             return Ok(());
@@ -163,10 +168,7 @@ where
     /// The part of a line between near plane, far plane and guard band.
     #[cold]
     #[inline(never)]
-    fn clipped(
-        &self,
-        ends: [usize; 2],
-    ) -> Option<[ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>; 2]> {
+    fn clipped(&self, ends: [usize; 2]) -> Option<Ends<V, Sh>> {
         let transform = &self.seen.transform;
         let ends = ends
             .map(|index| self.seen.vertex_in_clip_space(&MeshVertex::new(self.seen.tables, index)));

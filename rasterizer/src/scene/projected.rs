@@ -15,7 +15,7 @@ use crate::{
     geometry::{Projection, ScreenVertex},
     mesh::MeshFace,
     numbers::Subpixel,
-    output::{Blending, Target},
+    output::{Blending, Readable, Target},
     raster::{DepthBias as _, Gradients, Triangle},
     shade::{Face, OnScreen, Shader},
 };
@@ -121,6 +121,35 @@ where
                     }
                 }
             })
+        })
+    }
+
+    /// Draws the depth of its triangles alone: the target keeps its colours. What is drawn
+    /// afterwards is hidden by the object, as by one of the background's colour: for lines of which
+    /// the hidden parts are left out ([`lines`](Self::lines)), and for pixels that take long to
+    /// shade.
+    ///
+    /// # Errors
+    ///
+    /// Returns the target's first error, and draws no triangle after it.
+    pub fn draw_depth<T>(&self, target: &mut T) -> Result<(), T::Error>
+    where
+        T: Readable<Color = Sh::Color, Depth = V::Depth>,
+    {
+        let seen = &self.seen;
+        let window = target.window().intersection(&seen.viewport);
+        if window.is_empty() {
+            return Ok(());
+        }
+        let rows = Rows::of::<V::Subpixel>(&window);
+        let reach = self.order.reach(&window, &seen.viewport);
+        let all = (&self.order, &reach, 0..seen.triangle_count());
+        seen.for_each_visible(all, rows, &mut seen.vertices.lookup(), |_, corners, area| {
+            let moved = seen.mode.bias().moved(corners, area);
+            let bare: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 3] =
+                moved.map(|corner| ScreenVertex::new(corner.x, corner.y, corner.depth, []));
+            let triangle = Triangle::with_area(bare.each_ref(), area);
+            target.blend(&triangle, &window, |stored, _| stored)
         })
     }
 
