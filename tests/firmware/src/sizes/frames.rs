@@ -13,6 +13,7 @@ use rasterizer::{
     attribute::{DepthFormat, Interpolate, NoDepth, Varyings},
     camera::Camera,
     geometry::{Pose, Projection, ScreenVertex},
+    mesh::Lines,
     numbers::{Rotation, Subpixel, Turn, Vec3},
     output::{self, Blending, Direct, Frame, FrameDepth, Replace, StoredDepth},
     scene::{Mode, Object},
@@ -117,6 +118,33 @@ where
         let Ok(seen) = &seen else { return None };
         let mut bands = output::Bands::new(Self::PICTURE, &mut self.color, &mut self.depth).ok()?;
         bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
+    }
+
+    /// Draws the lines that the object does not hide, in white.
+    pub(super) fn draw_lines<
+        P: Projection,
+        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
+        M: Mode<Blending = Replace>,
+    >(
+        &mut self,
+        lines: &Lines<'_>,
+        object: &Object<'_, Sh, M>,
+        camera: &Camera<P>,
+        display: &mut Display,
+    ) -> Option<()> {
+        let seen = object.project(camera, &mut self.vertices);
+        let Ok(seen) = &seen else { return None };
+        let mut bands = output::Bands::new(Self::PICTURE, &mut self.color, &mut self.depth).ok()?;
+        bands
+            .show(
+                display,
+                |band| band.clear_color(Rgb565::BLACK),
+                |band| {
+                    seen.draw_depth(band)?;
+                    seen.lines(lines).fill(Rgb565::WHITE, band)
+                },
+            )
+            .ok()
     }
 
     /// The same with the triangles sorted into the bands.

@@ -14,6 +14,7 @@ mod display;
 mod fog;
 mod frames;
 mod light;
+mod lines;
 pub mod scenes;
 mod textured;
 

@@ -1,0 +1,59 @@
+//! The scenes of lines: the edges of the ball.
+
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
+use rasterizer::{
+    attribute::NoDepth,
+    fixed::types::{I0F32, I8F8},
+    geometry::ScreenVertex,
+    numbers::S4,
+    output::Direct,
+    raster::Bias,
+    scene::Object,
+    shade::Unlit,
+};
+
+use super::{
+    Display, Scene,
+    frames::{Bands, for_each_view},
+    scenes::{NARROW, PERSPECTIVE, PICTURE, camera},
+};
+use crate::models::{BALL, BALL_EDGES};
+
+type Vertex<D> = ScreenVertex<S4, D, [u16; 0]>;
+
+/// All edges straight onto the display, without depth.
+#[derive(Clone, Copy, Debug)]
+pub struct LinesDirect;
+
+impl Scene for LinesDirect {
+    type Memory = [Vertex<NoDepth>; BALL.vertex_count()];
+
+    const MEMORY: Self::Memory = [ScreenVertex::EMPTY; BALL.vertex_count()];
+
+    fn draw(vertices: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        for_each_view(|view| {
+            let ball = Object::new(&BALL, Unlit::<Rgb565>::new()).posed(view.pose());
+            let camera = camera(view, PERSPECTIVE, PICTURE)?;
+            let seen = ball.project(&camera, &mut vertices[..]).ok()?;
+            seen.lines(&BALL_EDGES).fill(Rgb565::WHITE, &mut Direct::new(display)).ok()
+        })
+    }
+}
+
+/// The edges that the ball does not hide, in bands with depth.
+#[derive(Clone, Copy, Debug)]
+pub struct LinesHidden;
+
+impl Scene for LinesHidden {
+    type Memory = Bands<S4, u16, [u16; 0], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        const BEHIND: Bias = Bias { slope: I8F8::lit("-1"), constant: I0F32::from_bits(-2 << 16) };
+        for_each_view(|view| {
+            let ball = Object::new(&BALL, Unlit::new()).posed(view.pose()).biased(BEHIND);
+            memory.draw_lines(&BALL_EDGES, &ball, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
