@@ -18,10 +18,10 @@ use rasterizer_tests::{Counter, Random, area};
 /// A window beyond which lines reach on all sides.
 const WINDOW: Rectangle = area(-5, -3, 40, 30);
 
-/// Ends in sub-pixels, and a width in pixels.
+/// Start and end in sub-pixels, and a width in pixels.
 type Segment = ([[i32; 2]; 2], u8);
 
-fn vertex<S: Subpixel, V: Interpolate>(
+const fn vertex<S: Subpixel, V: Interpolate>(
     [x, y]: [i32; 2],
     varyings: V,
 ) -> ScreenVertex<S, NoDepth, V> {

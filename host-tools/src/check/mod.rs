@@ -47,6 +47,7 @@ mod surface;
 mod tests;
 mod textured;
 mod view;
+mod wireframe;
 
 use std::time::{Duration, Instant};
 
@@ -64,6 +65,7 @@ pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use shading::Shading;
 pub use view::{Projection, Subpixel, View, ViewError};
+pub use wireframe::wireframe;
 
 use crate::{model::Model, reference};
 use blending::Layers;

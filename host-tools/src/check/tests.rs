@@ -11,6 +11,7 @@ mod fog;
 mod matcap;
 mod shiny;
 mod textured;
+mod wireframe;
 
 use super::*;
 use crate::{

@@ -11,7 +11,7 @@ use host_tools::{
     check::{
         self, BACKGROUND, Colors, Display, FixedPicture, Fog, Matrix, Shading, View, ViewError,
     },
-    model::Model,
+    model::{Model, Options},
 };
 
 use super::{
@@ -19,7 +19,7 @@ use super::{
     output::{self, Overwriting},
     png,
     progress::Progress,
-    view::ViewOptions,
+    view::{ViewOptions, within},
 };
 
 const EXAMPLES: &str = "\
@@ -32,6 +32,7 @@ Examples:
   host-tools render model.obj --shading phong --light=-1,2,3,0.6 --lamp 1,0,1,0.5
   host-tools render model.obj --blend add --opacity 0.3
   host-tools render model.obj --fog linear:2:4       The background hides what is far away
+  host-tools render model.obj --hidden-lines --edges 30  The edges that can be seen
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
 /// Draw a model with the fixed-point core, as a display shows it
@@ -47,6 +48,21 @@ pub(super) struct Arguments {
     /// Overwrite a file that is not from this program
     #[arg(long)]
     force: bool,
+    /// Draw the edges of the model's faces in place of its surfaces
+    #[arg(long, group = "lines")]
+    wireframe: bool,
+    /// The same without the lines that the model hides
+    #[arg(long, group = "lines")]
+    hidden_lines: bool,
+    /// Only edges in which faces meet at this angle or more, and borders
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        requires = "lines",
+        value_parser = within(0.0, 180.0),
+        allow_negative_numbers = true
+    )]
+    edges: Option<f64>,
     /// The background's colour in hexadecimal [default: a dark grey-blue]
     #[arg(long, value_name = "RRGGBB", value_parser = color)]
     background: Option<Color>,
@@ -82,7 +98,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let path =
         (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".png"));
     let is_standard = output::is_standard(&path);
-    let model = convert::load(&arguments.model, &arguments.view.conversion())?;
+    let has_lines = arguments.wireframe || arguments.hidden_lines;
+    let edges_degrees = has_lines.then_some(arguments.edges.unwrap_or(0.0));
+    let conversion = Options { edges_degrees, ..arguments.view.conversion() };
+    let model = convert::load(&arguments.model, &conversion)?;
     if !is_standard {
         let inputs = output::inputs(&model);
         let overwriting = Overwriting { force: arguments.force, inputs: &inputs };
@@ -102,7 +121,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let bytes = {
         let progress = Progress::over(frames, "drawing");
         let images = (0..frames).map(|frame| {
-            let picture = draw(&arguments.model, &model, &view.turned(frame, frames))?;
+            let view = view.turned(frame, frames);
+            let picture = if has_lines {
+                check::wireframe(&model, &view, arguments.hidden_lines)
+                    .map_err(|error| refused(&arguments.model, &error))?
+            } else {
+                draw(&arguments.model, &model, &view)?
+            };
             is_empty &= picture.pixels.iter().all(|pixel| pixel.depth == 0);
             let image = image::of_fixed(&picture, background);
             progress.step();

@@ -24,8 +24,8 @@ struct Edge {
 /// alone, as pairs of vertices; all edges for an angle of 0. Diagonals along which a face is cut
 /// into triangles are no edges.
 ///
-/// Faces share an edge if its ends have the same positions, whatever normals and texture
-/// coordinates they have there.
+/// Faces share an edge if its ends have the same positions, even with different normals and
+/// texture coordinates there.
 pub(super) fn edges(faces: &Faces, least_degrees: f64) -> Vec<[u32; 2]> {
     let mut vertex_at = vec![None; faces.positions.len()];
     for (vertex, &position) in faces.vertices.iter().enumerate() {

@@ -14,8 +14,8 @@
 //!   At exactly half a pixel, the moved line lies below the border if it falls, else above it;
 //! * it crosses the verticals of all centres from its left end, inclusive, to its right end,
 //!   exclusive, as both are moved to the left;
-//! * if it begins in a diamond behind that pixel's centre, it owns that pixel too, and if it ends
-//!   in a diamond beyond the centre, it does not own that one.
+//! * if it begins in a diamond behind that pixel's centre, it owns that pixel too, and if its end
+//!   lies in a diamond beyond the centre, it does not own that one.
 //!
 //! A line that is higher than wide is the same with the axes exchanged, and a centre half a pixel
 //! away always lies to its left. So the row of a column is the boundary of an [`Edge`] whose axes
@@ -129,7 +129,7 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Line<'_, S, D, V
 struct Path {
     /// The longer axis: 0 for x, 1 for y.
     axis: usize,
-    /// The ends in sub-pixels, the lesser along the axis first.
+    /// Start and end in sub-pixels, exchanged if the line runs backwards along the axis.
     ends: [[i32; 2]; 2],
     /// The pixels along the axis whose centres the line crosses and that it owns.
     first_pixel: i32,
@@ -149,16 +149,16 @@ impl Path {
             end[1 - axis] -= (width - 1) * half;
             end
         });
-        let [starts_in, ends_in] = [from, to].map(diamond::<S>);
-        if from[axis] == to[axis] || (starts_in.is_some() && starts_in == ends_in) {
+        let [start_pixel, last_pixel] = [from, to].map(diamond::<S>);
+        if from[axis] == to[axis] || (start_pixel.is_some() && start_pixel == last_pixel) {
             return None;
         }
         let is_forward = from[axis] < to[axis];
         let ends = if is_forward { [from, to] } else { [to, from] };
         let [mut first_pixel, mut end_pixel] = ends.map(|end| first_center::<S>(end[axis]));
         let crosses = |pixel: [i32; 2]| first_pixel <= pixel[axis] && pixel[axis] < end_pixel;
-        let first = starts_in.filter(|pixel| !crosses(*pixel));
-        if ends_in.is_some_and(crosses) {
+        let first = start_pixel.filter(|pixel| !crosses(*pixel));
+        if last_pixel.is_some_and(crosses) {
             if is_forward {
                 end_pixel -= 1;
             } else {
