@@ -20,7 +20,7 @@ use rasterizer::{
     shade::{Level, Light, Shader},
 };
 
-use crate::{Surface, area};
+use crate::{Surface, area, recorder::bounded};
 
 /// The colour of pixels that no object covers.
 pub const BACKGROUND: Rgb888 = Rgb888::new(1, 2, 3);
@@ -146,7 +146,7 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), Infallible> {
-        let mut colors = colors.into_iter();
+        let mut colors = bounded(colors);
         let pixels =
             area.points().zip(colors.by_ref()).map(|(p, c)| Pixel(p, c)).collect::<Vec<_>>();
         assert_eq!(pixels.len(), area.size.width as usize * area.size.height as usize);

@@ -10,6 +10,8 @@ use embedded_graphics::{
     primitives::Rectangle,
 };
 
+use crate::recorder::bounded;
+
 /// Counts the draws of each pixel. The display may lie anywhere. It panics if a pixel outside its
 /// area is drawn: a rasterizer has to stay inside.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -84,7 +86,7 @@ impl<C: PixelColor> DrawTarget for Counter<C> {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), Infallible> {
-        let pixels = colors.into_iter().count();
+        let pixels = bounded(colors).count();
         assert_eq!(pixels, area.size.width as usize * area.size.height as usize, "{area:?}");
         self.count(area);
         Ok(())

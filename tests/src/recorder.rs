@@ -55,6 +55,17 @@ impl<C: PixelColor> Recorder<C> {
     }
 }
 
+/// The pixels of a call, which fails if they do not come to an end: a fault in what sends them must
+/// not fill the memory.
+pub(crate) fn bounded<I: IntoIterator>(pixels: I) -> impl Iterator<Item = I::Item> {
+    /// More than any display of the tests has.
+    const MOST: usize = 1 << 20;
+    pixels.into_iter().enumerate().map(|(count, pixel)| {
+        assert!(count < MOST, "over {MOST} pixels are sent in a call");
+        pixel
+    })
+}
+
 impl<C: PixelColor> Dimensions for Recorder<C> {
     fn bounding_box(&self) -> Rectangle {
         self.area
@@ -66,7 +77,7 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
     type Error = BusError;
 
     fn draw_iter<I: IntoIterator<Item = Pixel<C>>>(&mut self, pixels: I) -> Result<(), BusError> {
-        self.record(Call::Iter(pixels.into_iter().collect()))
+        self.record(Call::Iter(bounded(pixels).collect()))
     }
 
     fn fill_contiguous<I: IntoIterator<Item = C>>(
@@ -74,7 +85,7 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
         area: &Rectangle,
         colors: I,
     ) -> Result<(), BusError> {
-        self.record(Call::Contiguous(*area, colors.into_iter().collect()))
+        self.record(Call::Contiguous(*area, bounded(colors).collect()))
     }
 
     fn fill_solid(&mut self, area: &Rectangle, color: C) -> Result<(), BusError> {
@@ -83,5 +94,20 @@ impl<C: PixelColor> DrawTarget for Recorder<C> {
 
     fn clear(&mut self, color: C) -> Result<(), BusError> {
         self.record(Call::Clear(color))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use embedded_graphics::{geometry::Point, pixelcolor::BinaryColor, prelude::Size};
+
+    use super::*;
+
+    #[test]
+    #[should_panic(expected = "over 1048576 pixels are sent in a call")]
+    fn pixels_without_end_are_refused() {
+        let area = Rectangle::new(Point::zero(), Size::new(8, 8));
+        let colors = std::iter::repeat(BinaryColor::On);
+        let _ = Recorder::new(area).fill_contiguous(&area, colors);
     }
 }
