@@ -1,0 +1,85 @@
+//! The options of the view, one file for each group of them.
+
+mod blending;
+mod camera;
+mod display;
+mod fog;
+mod lights;
+mod names;
+mod settings;
+mod surface;
+#[cfg(test)]
+mod tests;
+
+use clap::Args;
+use host_tools::{
+    check::{Shading, View},
+    model::Options,
+};
+
+use self::{
+    blending::BlendingOptions, camera::CameraOptions, display::DisplayOptions, fog::FogOptions,
+    lights::LightOptions, surface::SurfaceOptions,
+};
+pub(super) use self::{
+    names::{choice, within},
+    settings::Settings,
+};
+use super::{smoothing::Smoothing, textures::TextureArguments};
+
+/// The view: from a point on the z axis toward the origin, about which the model is turned.
+#[derive(Clone, Debug, Args)]
+#[command(next_help_heading = "View")]
+pub(super) struct ViewOptions {
+    #[command(flatten)]
+    display: DisplayOptions,
+    #[command(flatten)]
+    surface: SurfaceOptions,
+    #[command(flatten)]
+    blending: BlendingOptions,
+    #[command(flatten)]
+    fog: FogOptions,
+    #[command(flatten)]
+    camera: CameraOptions,
+    #[command(flatten)]
+    lights: LightOptions,
+    #[command(flatten)]
+    smoothing: Smoothing,
+    /// Turn over faces that run against their neighbours, and closed parts that are inside out
+    #[arg(long)]
+    fix_winding: bool,
+    /// Frames of a full turn about y, 1 to 360
+    #[arg(
+        long,
+        value_name = "N",
+        default_value_t = 1,
+        value_parser = clap::value_parser!(u32).range(1..=360)
+    )]
+    pub(super) frames: u32,
+    #[command(flatten)]
+    textures: TextureArguments,
+}
+
+impl ViewOptions {
+    /// The view of frame 0, in the shading `otherwise` unless one is chosen.
+    pub(super) fn view(&self, otherwise: Shading) -> View {
+        let view = self.display.over(View::default());
+        let view = self.surface.over(view, otherwise);
+        let view = self.blending.over(view);
+        self.lights.over(self.camera.over(self.fog.over(view)))
+    }
+
+    /// Refuses more lights than a view has.
+    pub(super) fn check(&self) -> anyhow::Result<()> {
+        self.lights.check()
+    }
+
+    /// The conversion of the model for it.
+    pub(super) fn conversion(&self) -> Options {
+        let mut textures = self.textures.options();
+        if let Some(textures) = &mut textures {
+            textures.mipmaps |= self.surface.filter.reads_levels();
+        }
+        Options { fix_winding: self.fix_winding, textures, ..self.smoothing.options() }
+    }
+}

@@ -1,0 +1,113 @@
+//! A view as the programs report it.
+
+use host_tools::{
+    check::{
+        Blending, Colors, Correction, DepthFormat, Filter, FogBy, Lamp, Projection, Shading, Sun,
+        View,
+    },
+    model::Model,
+};
+use serde::Serialize;
+
+use super::{fog::law, names::name};
+
+/// A view in the names and units of the command line.
+#[derive(Clone, Debug, Serialize)]
+pub(in crate::cli) struct Settings {
+    size: [u32; 2],
+    subpixel: u32,
+    depth: &'static str,
+    shading: &'static str,
+    perspective: &'static str,
+    filter: &'static str,
+    lights: Vec<[f64; 4]>,
+    lamps: Vec<[f64; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    colors: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    dither: Option<u32>,
+    blend: &'static str,
+    opacity: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fog_by: Option<&'static str>,
+    distance: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fov: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    height: Option<f64>,
+    near: f64,
+    far: f64,
+    yaw: f64,
+    pitch: f64,
+    roll: f64,
+    crease: f64,
+}
+
+impl Settings {
+    pub(in crate::cli) fn of(model: &Model, view: &View) -> Self {
+        let (fov, height) = match view.projection {
+            Projection::Perspective { field_of_view_degrees } => {
+                (Some(field_of_view_degrees), None)
+            }
+            Projection::Orthographic { height } => (None, Some(height)),
+        };
+        Self {
+            size: view.size,
+            subpixel: view.subpixel.bits(),
+            depth: name(&DepthFormat::NAMES, view.depth),
+            shading: name(&Shading::NAMES, view.shading),
+            perspective: name(&Correction::NAMES, view.perspective),
+            filter: name(&Filter::NAMES, view.filter),
+            colors: view.display.map(|display| name(&Colors::NAMES, display.colors)),
+            dither: view.display.and_then(|display| display.dither.rows()),
+            lights: (view.lights.suns.iter().flatten())
+                .map(|&Sun { toward: [x, y, z], level }| [x, y, z, level])
+                .collect(),
+            lamps: (view.lights.lamps.iter().flatten())
+                .map(|&Lamp { position: [x, y, z], half }| [x, y, z, half])
+                .collect(),
+            blend: name(&Blending::NAMES, view.blending),
+            opacity: view.opacity,
+            fog: view.fog.map(|fog| law(fog.law)),
+            fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
+            distance: view.distance,
+            fov,
+            height,
+            near: view.near,
+            far: view.far,
+            yaw: view.yaw_degrees,
+            pitch: view.pitch_degrees,
+            roll: view.roll_degrees,
+            crease: model.options.crease_degrees,
+        }
+    }
+
+    /// The settings in a line.
+    pub(in crate::cli) fn summary(&self) -> String {
+        let [width, height] = self.size;
+        let textures = if self.shading.starts_with("textured") {
+            format!(", {} filter, {} perspective", self.filter, self.perspective)
+        } else {
+            String::new()
+        };
+        let blend = if self.blend == name(&Blending::NAMES, Blending::Replace) {
+            String::new()
+        } else {
+            format!(", blended by {} at {} of its opacity", self.blend, self.opacity)
+        };
+        let fog = match (&self.fog, self.fog_by) {
+            (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
+            _ => String::new(),
+        };
+        let dither =
+            self.dither.map_or_else(String::new, |rows| format!(" dithered {rows}x{rows}"));
+        let colors =
+            self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
+        format!(
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}{colors}",
+            self.subpixel, self.depth, self.shading
+        )
+    }
+}
