@@ -1,5 +1,7 @@
 //! Converts OBJ files to const tables, and judges the fixed-point picture by an f64 reference.
 
+#[cfg(feature = "check")]
 pub mod check;
 pub mod model;
+#[cfg(any(feature = "check", test))]
 pub mod reference;

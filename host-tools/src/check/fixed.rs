@@ -1,35 +1,33 @@
 //! The fixed-point picture of a model in a view, by the same tables and the same calls as on a
 //! microcontroller.
 
-use std::{
-    cell::RefCell,
-    time::{Duration, Instant},
-};
+use std::time::{Duration, Instant};
 
 use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
-    attribute::{FloatDepth, NoDepth},
     camera::Camera,
     color::Composite,
     geometry::{self, ScreenVertex},
     numbers::{self, S4, S8},
-    output::{Frame, MaterialOpacity, StoredColor},
+    output::StoredColor,
     scene::Object,
-    shade::{Fogged, OnScreen, Shader},
+    shade::{self, Density, Fogged, OnScreen, Shader},
     texture::Texel,
 };
 
 use super::{
-    Blending, DefinedDepth, DepthFormat, NormalErrors, Texels,
-    blending::{self, Layers, Recorder},
+    Blending, Fog, NormalErrors, Texels,
+    any_depth::{self, AnyDepth},
+    blending::Layers,
     fog::{self, AnyFog, SeenPicture},
+    layers,
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
     view::{Projection, Subpixel, View, ViewError},
 };
 use crate::{
     model::Model,
-    reference::{self, Blend, Corner, Picture, Sample, ScreenTriangle},
+    reference::{self, Corner, Picture, Sample, ScreenTriangle},
 };
 
 /// A frame by the core, and how the reference draws it.
@@ -131,21 +129,29 @@ pub(super) fn place<const N: usize, Sh>(
 where
     Sh: Shader<Color: ShownColor + Composite, Outcome: Texel<<Sh as Shader>::Color>>,
 {
-    let (Some(fog), Some(core)) = (view.fog, view.core_fog()?) else {
-        return by_projection::<N, false, _>(model, view, shader, |triangle, corner| {
-            (placed(triangle, corner), 1.0)
-        });
-    };
-    let shader = Fogged::new(shader.clone(), &core, fog.core_color().into()).computed(AnyFog);
+    let chosen = view.fog.unwrap_or(Fog::NONE);
+    let core = view.core_fog()?.unwrap_or(shade::Fog::exponential(Density::ZERO));
+    let in_fog = Fogged::new(shader.clone(), &core, chosen.core_color().into()).computed(AnyFog);
     let near = view.rounded().near;
-    fog::with(fog.by, || {
-        by_projection::<N, true, _>(model, view, &shader, |triangle, (corner, seen)| {
-            (placed(triangle, corner), fog::inverse_w(seen, near))
-        })
+    fog::with(chosen.by, || {
+        let drawn = if view.fog.is_some() {
+            by_projection::<N, _>(model, view, &in_fog, |triangle, (corner, seen)| {
+                (placed(triangle, corner), fog::inverse_w(seen, near))
+            })
+        } else {
+            by_projection::<N, _>(model, view, shader, |triangle, corner| {
+                (placed(triangle, corner), 1.0)
+            })
+        }?;
+        let blended = match view.blending {
+            Blending::Replace => None,
+            Blending::By(blend) => Some(layers::draw(model, (view, blend), &in_fog)?),
+        };
+        Ok(Placed { blended, ..drawn })
     })
 }
 
-fn by_projection<const N: usize, const IN_FOG: bool, Sh: Shader<Color: ShownColor>>(
+fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
     model: &Model,
     view: &View,
     shader: &Sh,
@@ -154,11 +160,11 @@ fn by_projection<const N: usize, const IN_FOG: bool, Sh: Shader<Color: ShownColo
     match view.projection {
         Projection::Perspective { field_of_view_degrees } => {
             let camera = view.perspective(field_of_view_degrees)?;
-            by_camera::<N, IN_FOG, _, _>(model, view, &camera, shader, placed)
+            by_camera::<N, _, _>(model, view, &camera, shader, placed)
         }
         Projection::Orthographic { height } => {
             let camera = view.orthographic(height)?;
-            by_camera::<N, IN_FOG, _, _>(model, view, &camera, shader, placed)
+            by_camera::<N, _, _>(model, view, &camera, shader, placed)
         }
     }
 }
@@ -168,9 +174,8 @@ pub(super) trait ShownColor: StoredColor + From<Rgb888> + Into<Rgb888> {}
 
 impl<C: StoredColor + From<Rgb888> + Into<Rgb888>> ShownColor for C {}
 
-/// Draws in one of the pairs of precision and depth that a view can have. Fog does not read depth:
-/// it is compiled with one format.
-fn by_camera<const N: usize, const IN_FOG: bool, P, Sh>(
+/// Draws in one of the precisions that a view can have.
+fn by_camera<const N: usize, P, Sh>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
@@ -181,30 +186,13 @@ where
     P: geometry::Projection,
     Sh: Shader<Color: ShownColor>,
 {
-    match (view.subpixel, view.depth) {
-        (Subpixel::S4, DepthFormat::U16) => {
-            by_format::<N, IN_FOG, S4, u16, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S8, DepthFormat::U16) => {
-            by_format::<N, IN_FOG, S8, u16, _, _>(model, view, camera, shader, placed)
-        }
-        _ if IN_FOG => Err(ViewError::DepthInFog),
-        (Subpixel::S4, DepthFormat::Float16) => {
-            by_format::<N, IN_FOG, S4, FloatDepth, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S4, DepthFormat::U32) => {
-            by_format::<N, IN_FOG, S4, u32, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S8, DepthFormat::Float16) => {
-            by_format::<N, IN_FOG, S8, FloatDepth, _, _>(model, view, camera, shader, placed)
-        }
-        (Subpixel::S8, DepthFormat::U32) => {
-            by_format::<N, IN_FOG, S8, u32, _, _>(model, view, camera, shader, placed)
-        }
-    }
+    any_depth::with(view.depth, || match view.subpixel {
+        Subpixel::S4 => by_precision::<N, S4, _, _>(model, view, camera, shader, placed),
+        Subpixel::S8 => by_precision::<N, S8, _, _>(model, view, camera, shader, placed),
+    })
 }
 
-fn by_format<const N: usize, const IN_FOG: bool, S, D, P, Sh>(
+fn by_precision<const N: usize, S, P, Sh>(
     model: &Model,
     view: &View,
     camera: &Camera<P>,
@@ -213,22 +201,21 @@ fn by_format<const N: usize, const IN_FOG: bool, S, D, P, Sh>(
 ) -> Result<Placed<N, Sh::Color>, ViewError>
 where
     S: numbers::Subpixel,
-    D: DefinedDepth,
     P: geometry::Projection,
     Sh: Shader<Color: ShownColor>,
 {
     let mesh = model.mesh();
     let object = Object::new(&mesh, shader.clone()).posed(view.pose());
-    let mut storage = vec![ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
+    let mut storage = vec![ScreenVertex::<S, AnyDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
     let start = Instant::now();
     let projected = object.project(camera, &mut storage)?;
     let projecting = start.elapsed();
     let drawn = object::draw_colors(&projected, view.area())?;
-    let mut inverses = Vec::new();
+    let (depth, mut inverses) = (view.depth.definition(), Vec::new());
     let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
         let (varyings, inverse_w) = placed(triangle, corner.varyings());
         inverses.push(inverse_w);
-        (corner.depth().depth(), varyings)
+        (depth.depth(corner.depth().into()), varyings)
     });
     let fog = view.rounded().fog.map(|fog| {
         let size = view.size.map(|c| c as usize).into();
@@ -242,39 +229,7 @@ where
         vertices,
         time: projecting + drawn.time,
         colors: drawn.color,
-        blended: match view.blending {
-            Blending::Replace => None,
-            Blending::By(_) if IN_FOG => return Err(ViewError::BlendingInFog),
-            Blending::By(blend) => Some(blended::<S, _, _>(&object, (view, blend), camera)?),
-        },
+        blended: None,
         fog,
     })
-}
-
-/// Draws a model blended with itself, from back to front, and keeps its layers. Without depth: all
-/// of them are seen, and the code is compiled once for all formats of depth.
-fn blended<S, P, Sh>(
-    object: &Object<'_, Sh>,
-    (view, blend): (&View, Blend),
-    camera: &Camera<P>,
-) -> Result<Layers, ViewError>
-where
-    S: numbers::Subpixel,
-    P: geometry::Projection,
-    Sh: Shader<Color: ShownColor>,
-{
-    let layers = RefCell::default();
-    let factor = MaterialOpacity::times(blending::alpha(view.opacity));
-    let object = object.clone().blended(Recorder { blend, factor, layers: &layers });
-    let count = object.mesh().triangle_count();
-    let mut order = vec![0; count];
-    let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
-    let projected = projected.back_to_front(&mut order)?;
-    let [red, green, blue] = view.background;
-    let pixels = view.size.iter().map(|&side| side as usize).product();
-    let mut colors = vec![Sh::Color::from(Rgb888::new(red, green, blue)); pixels];
-    let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
-    let colors = colors.into_iter().map(Into::into);
-    let order = projected.order().triangles();
-    Ok(Layers::new((view, blend), colors, &layers.borrow(), order, count))
 }

@@ -46,6 +46,10 @@ pub struct Fog {
 const DENSITY: f64 = 16_777_216.0;
 
 impl Fog {
+    /// None at any distance.
+    pub(super) const NONE: Self =
+        Self { law: reference::Fog::Exponential { density: 0.0 }, by: FogBy::Pixel, color: [0; 3] };
+
     /// With numbers that the core has.
     pub(super) fn rounded(self) -> Self {
         let law = match self.law {

@@ -21,6 +21,7 @@
 //! [`check`] compares a model in a view, [`Checker`] in several. [`judge`] compares any object of
 //! the core, with any shader, against a definition of that shader.
 
+mod any_depth;
 mod any_mode;
 mod any_texture;
 mod blending;
@@ -32,6 +33,7 @@ mod display;
 mod filter;
 mod fixed;
 mod fog;
+mod layers;
 mod lights;
 mod matcap;
 mod normals;

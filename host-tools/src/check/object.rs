@@ -14,7 +14,7 @@ use rasterizer::{
     attribute::Interpolate,
     geometry::{Projection, ScreenVertex},
     numbers::Subpixel,
-    output::{Blending, Frame, FrameError, StoredColor},
+    output::{Blending, Frame, FrameError, StoredColor, StoredDepth},
     scene::{Mode, Order, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
@@ -140,7 +140,7 @@ pub(super) struct Drawn<C, D> {
     pub(super) time: Duration,
 }
 
-impl<C: Copy + Into<Rgb888>, D: DefinedDepth> Drawn<C, D> {
+impl<C: Copy + Into<Rgb888>, D: Copy + Into<u32>> Drawn<C, D> {
     /// The picture of the area.
     pub(super) fn picture(&self, area: Rectangle) -> FixedPicture {
         let pixel = |(&color, &depth): (&C, &D)| {
@@ -161,7 +161,7 @@ pub(super) fn draw_colors<V, P, Sh, M, O>(
 ) -> Result<Drawn<Sh::Color, V::Depth>, FrameError>
 where
     for<'f> M::Blending: Blending<Frame<'f, Sh::Color, &'f mut [V::Depth]>>,
-    V: Vertices<OnScreen<Sh>, Depth: DefinedDepth>,
+    V: Vertices<OnScreen<Sh>, Depth: StoredDepth>,
     P: Projection,
     Sh: Shader<Color: StoredColor + From<Rgb888>>,
     M: Mode,

@@ -150,12 +150,6 @@ pub enum ViewError {
         /// Where it ends.
         end: f64,
     },
-    /// Fog is drawn with one format of depth.
-    #[error("fog is drawn with u16 depth alone: it is the same with any depth, and with none")]
-    DepthInFog,
-    /// Fog is drawn without blending.
-    #[error("fog and blending are drawn one at a time")]
-    BlendingInFog,
     /// The core refuses the model in this view.
     #[error("{0}")]
     Project(#[from] ProjectError),

@@ -25,7 +25,7 @@ fn fog_is_over_every_shader() {
     let model = shipped("rocket.obj");
     let mut pixels = 0;
     for (view, fog) in views().zip(fogs().cycle()) {
-        let outcome = pass(&model, &View { fog: Some(fog), depth: DepthFormat::U16, ..view });
+        let outcome = pass(&model, &View { fog: Some(fog), ..view });
         pixels += outcome.arithmetic.deviation.pixels;
     }
     assert!(pixels > 100_000, "{pixels}");
@@ -37,20 +37,31 @@ fn fog_is_over_textures() {
     let shadings = [Shading::Textured, Shading::TexturedFlat, Shading::TexturedGouraud];
     for (i, (view, fog)) in views().zip(fogs()).enumerate() {
         let (shading, filter) = (shadings[i % 3], Filter::NAMES[i % 2].1);
-        let view = View { depth: DepthFormat::U16, shading, filter, ..view };
+        let view = View { shading, filter, ..view };
         pass(&model, &View { fog: Some(fog), ..view });
     }
 }
 
+/// Each layer has its fog before it is blended: one that is complete hides what lies behind, and
+/// none changes nothing.
 #[test]
-fn fog_has_one_depth_and_no_blending() {
-    let model = shipped("wooden_crate.obj");
-    let fog = fogs().next();
-    let refused = |view: View| render(&model, &View { fog, ..view }).unwrap_err();
-    let deep = View { depth: DepthFormat::U32, ..FRONT };
-    assert_eq!(refused(deep), ViewError::DepthInFog);
-    let blended = View { blending: Blending::By(Blend::Over), ..FRONT };
-    assert_eq!(refused(blended), ViewError::BlendingInFog);
+fn fog_is_over_the_layers_of_blended_models() {
+    let model = shipped("torus_knot.obj");
+    let blending = Blending::By(Blend::Over);
+    for (fog, opacity) in fogs().zip([0.5, 1.0].into_iter().cycle()) {
+        let view = View { shading: Shading::Gouraud, blending, opacity, fog: Some(fog), ..FRONT };
+        let found = pass(&model, &view).arithmetic.blend.unwrap();
+        assert!(found.blend_pixels > 2_000 && found.blend_most_layers > 1, "{found:?}");
+    }
+    let drawn =
+        |fog| render(&model, &View { blending, fog, opacity: 1.0, ..FRONT }).unwrap().pixels;
+    let linear =
+        |start, end| Some(Fog { law: Law::Linear { start, end }, by: FogBy::Pixel, color: COLOR });
+    let (bare, full) = (drawn(None), drawn(linear(0.5, 1.0)));
+    assert_eq!(bare, drawn(linear(50.0, 60.0)));
+    for (full, bare) in full.iter().zip(&bare) {
+        assert_eq!(full.color, if full.depth == 0 { bare.color } else { COLOR });
+    }
 }
 
 /// Faces through the near plane and the far plane.
