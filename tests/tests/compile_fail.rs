@@ -16,8 +16,8 @@ fn rasterizer(libraries: &Path) -> PathBuf {
     named.max_by_key(|path| fs::metadata(path).unwrap().modified().unwrap()).unwrap()
 }
 
-/// What the compiler makes of a file in the folder `compile_fail`.
-fn compile(file: &str, options: &[&str]) -> Output {
+/// What the compiler makes of a file.
+pub(crate) fn compile(file: &Path, options: &[&str]) -> Output {
     let test = env::current_exe().unwrap();
     let libraries = test.parent().unwrap();
     Command::new(env::var_os("RUSTC").unwrap_or_else(|| "rustc".into()))
@@ -25,19 +25,20 @@ fn compile(file: &str, options: &[&str]) -> Output {
         .arg(format!("-Ldependency={}", libraries.display()))
         .arg(format!("--extern=rasterizer={}", rasterizer(libraries).display()))
         .args(options)
-        .arg(Path::new(env!("CARGO_MANIFEST_DIR")).join("compile_fail").join(file))
+        .arg(file)
         .output()
         .unwrap()
 }
 
-/// Compiles a file, which succeeds, and with another option, which fails with one error that has
-/// these words.
+/// Compiles a file of the folder `compile_fail`, which succeeds, and with another option, which
+/// fails with one error that has these words.
 fn fails(file: &str, right: &[&str], wrong: &[&str], words: &[&str]) {
-    let compiled = compile(file, right);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("compile_fail").join(file);
+    let compiled = compile(&path, right);
     let told = String::from_utf8_lossy(&compiled.stderr);
     assert!(compiled.status.success(), "{told}");
 
-    let refused = compile(file, wrong);
+    let refused = compile(&path, wrong);
     let told = String::from_utf8_lossy(&refused.stderr);
     assert!(!refused.status.success(), "{file} compiles with {wrong:?}");
     for words in words {

@@ -45,7 +45,8 @@ pub(super) struct TextureArguments {
     #[arg(long)]
     mipmaps: bool,
     /// How transparency is stored where a picture has any: one colour or place in the palette, or a
-    /// plane of 1, 4 or 8 bits a texel [default: key, if a texel is more transparent than opaque]
+    /// plane of 1, 4 or 8 bits a texel, from half on drawn and else left out, or one of 4 or 8 bits
+    /// by which texels are blended [default: key, if a texel is more transparent than opaque]
     #[arg(
         long,
         value_name = "FORMAT",

@@ -83,6 +83,7 @@ impl Layers {
             ColorFormat::Rgb565Be => ("Rgb565Be", "u16"),
             ColorFormat::Rgb888 => ("Rgb888", "u32"),
             ColorFormat::Gray8 => ("Gray8", "u8"),
+            ColorFormat::Rgb332 => ("Rgb332", "u8"),
         };
         let texels = textures.levels().iter().map(|[width, height]| width * height).sum();
         Self { color, number, texels, bits: textures.format.bits(), alpha: textures.alpha }
@@ -94,7 +95,7 @@ impl Layers {
         match self.alpha {
             None => inner.to_owned(),
             Some(AlphaFormat::Key) => format!("{inner}, Keyed"),
-            Some(_) => format!("{inner}, Masked"),
+            Some(alpha) => format!("{inner}, {}", plane_type(alpha)),
         }
     }
 
@@ -113,11 +114,11 @@ impl Layers {
                 format!("{MODULE}::Indexed<'static, {color}, {bits}, {bytes}, {colors}>")
             }
         };
-        let texels = match self.alpha.map(AlphaFormat::bits) {
+        let texels = match self.alpha.map(|alpha| (plane_type(alpha), alpha.bits())) {
             None => inner,
-            Some(None) => format!("{MODULE}::Keyed<{inner}>"),
-            Some(Some(bits)) => {
-                format!("{MODULE}::Masked<'static, {inner}, {bits}, {}>", self.bytes(bits))
+            Some((_, None)) => format!("{MODULE}::Keyed<{inner}>"),
+            Some((plane, Some(bits))) => {
+                format!("{MODULE}::{plane}<'static, {inner}, {bits}, {}>", self.bytes(bits))
             }
         };
         let name = if textures.mipmaps { "Mipmaps" } else { "Texture" };
@@ -145,7 +146,9 @@ impl Layers {
             (_, Some(key)) => {
                 format!("Keyed::new({inner}, colors([{}])[0])", self.hexadecimal(key))
             }
-            (Some(_), None) => format!("Masked::new({inner}, &ALPHA_{place})"),
+            (Some(alpha), None) => {
+                format!("{}::new({inner}, &ALPHA_{place})", plane_type(alpha))
+            }
         }
     }
 
@@ -178,10 +181,16 @@ impl Layers {
     }
 }
 
+/// The type of texels with a plane.
+const fn plane_type(alpha: AlphaFormat) -> &'static str {
+    if alpha.is_translucent() { "Translucent" } else { "Masked" }
+}
+
 /// The module of a colour type, in the crate.
 const fn color_module(color: ColorFormat) -> &'static str {
     match color {
         ColorFormat::Rgb565Be => "output",
+        ColorFormat::Rgb332 => "color",
         _ => "embedded_graphics_core::pixelcolor",
     }
 }
@@ -190,6 +199,8 @@ const fn color_module(color: ColorFormat) -> &'static str {
 fn color_function(out: &mut String, Layers { color, number, .. }: &Layers) -> std::fmt::Result {
     let (zero, value) = match *color {
         "Gray8" => ("0", "numbers[i]"),
+        // More significant bits are ignored.
+        "Rgb332" => ("0, 0, 0", "numbers[i] >> 5, numbers[i] >> 2, numbers[i]"),
         "Rgb888" => {
             ("0, 0, 0", "(numbers[i] >> 16) as u8, (numbers[i] >> 8) as u8, numbers[i] as u8")
         }

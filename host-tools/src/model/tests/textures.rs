@@ -223,6 +223,13 @@ fn emitted_textures_read_back_the_same() {
             "::rasterizer::texture::Masked<'static, ::rasterizer::texture::Colors<'static, \
              ::rasterizer::embedded_graphics_core::pixelcolor::Gray8, 85>, 1, 11>",
         ),
+        (
+            TexelFormat::Direct,
+            ColorFormat::Rgb332,
+            AlphaFormat::Translucent4,
+            "::rasterizer::texture::Translucent<'static, ::rasterizer::texture::Colors<'static, \
+             ::rasterizer::color::Rgb332, 85>, 4, 43>",
+        ),
     ] {
         let alpha = Some(alpha);
         let options = TextureOptions { size: None, format, color, mipmaps: true, alpha };

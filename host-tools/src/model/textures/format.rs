@@ -1,6 +1,7 @@
 //! The formats of textures: what a program or a build script may choose.
 
 use embedded_graphics_core::pixelcolor::{Gray8, Rgb565, Rgb888};
+use rasterizer::color::Rgb332;
 
 /// How pictures become textures.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -81,15 +82,18 @@ pub enum ColorFormat {
     Rgb888,
     /// `Gray8`.
     Gray8,
+    /// `Rgb332`: a byte of 3 bits of red, 3 of green and 2 of blue.
+    Rgb332,
 }
 
 impl ColorFormat {
     /// All of them, by name.
-    pub const NAMES: [(&'static str, Self); 4] = [
+    pub const NAMES: [(&'static str, Self); 5] = [
         ("rgb565", Self::Rgb565),
         ("rgb565be", Self::Rgb565Be),
         ("rgb888", Self::Rgb888),
         ("gray8", Self::Gray8),
+        ("rgb332", Self::Rgb332),
     ];
 
     /// The bytes of a colour in flash.
@@ -99,11 +103,12 @@ impl ColorFormat {
             Self::Rgb565 | Self::Rgb565Be => size_of::<Rgb565>(),
             Self::Rgb888 => size_of::<Rgb888>(),
             Self::Gray8 => size_of::<Gray8>(),
+            Self::Rgb332 => size_of::<Rgb332>(),
         }
     }
 
     /// The number of the colour nearest to one in steps of 8 bits: 0xRRGGBB, RGB565 with red in the
-    /// most significant bits (for both byte orders), or the grey.
+    /// most significant bits (for both byte orders), RGB332 in the same way, or the grey.
     pub(super) fn number(self, [red, green, blue]: [f64; 3]) -> u32 {
         let digits = |value: f64, most: f64| (value / 255.0 * most).round() as u32;
         match self {
@@ -113,6 +118,7 @@ impl ColorFormat {
             Self::Rgb888 => {
                 digits(red, 255.0) << 16 | digits(green, 255.0) << 8 | digits(blue, 255.0)
             }
+            Self::Rgb332 => digits(red, 7.0) << 5 | digits(green, 7.0) << 2 | digits(blue, 3.0),
             // The luma of ITU-R BT.601, of stored values.
             Self::Gray8 => digits(0.299 * red + 0.587 * green + 0.114 * blue, 255.0),
         }
@@ -129,6 +135,7 @@ impl ColorFormat {
             Self::Rgb565 | Self::Rgb565Be => [part(11, 5), part(5, 6), part(0, 5)],
             Self::Rgb888 => [part(16, 8), part(8, 8), part(0, 8)],
             Self::Gray8 => [part(0, 8); 3],
+            Self::Rgb332 => [part(5, 3), part(2, 3), part(0, 2)],
         }
     }
 
@@ -139,6 +146,7 @@ impl ColorFormat {
             Self::Rgb565 | Self::Rgb565Be => [0xF81F, 0xF83F],
             Self::Rgb888 => [0xFF_00FF, 0xFF_01FF],
             Self::Gray8 => [0, 1],
+            Self::Rgb332 => [0xE3, 0xE7],
         }
     }
 }
@@ -154,12 +162,22 @@ pub enum AlphaFormat {
     Bits4,
     /// A plane of 8 bits a texel.
     Bits8,
+    /// A plane of 4 bits a texel, for blending: the texels are `Translucent`.
+    Translucent4,
+    /// A plane of 8 bits a texel, for blending.
+    Translucent8,
 }
 
 impl AlphaFormat {
     /// All of them, by name.
-    pub const NAMES: [(&'static str, Self); 4] =
-        [("key", Self::Key), ("1", Self::Bits1), ("4", Self::Bits4), ("8", Self::Bits8)];
+    pub const NAMES: [(&'static str, Self); 6] = [
+        ("key", Self::Key),
+        ("1", Self::Bits1),
+        ("4", Self::Bits4),
+        ("8", Self::Bits8),
+        ("translucent4", Self::Translucent4),
+        ("translucent8", Self::Translucent8),
+    ];
 
     /// The bits of the plane; `None` without one.
     #[must_use]
@@ -167,9 +185,15 @@ impl AlphaFormat {
         match self {
             Self::Key => None,
             Self::Bits1 => Some(1),
-            Self::Bits4 => Some(4),
-            Self::Bits8 => Some(8),
+            Self::Bits4 | Self::Translucent4 => Some(4),
+            Self::Bits8 | Self::Translucent8 => Some(8),
         }
+    }
+
+    /// Whether texels are blended by their alpha, and not drawn or left out.
+    #[must_use]
+    pub const fn is_translucent(self) -> bool {
+        matches!(self, Self::Translucent4 | Self::Translucent8)
     }
 }
 
@@ -198,6 +222,7 @@ mod tests {
             (ColorFormat::Rgb565Be, 0..=0xFFFF),
             (ColorFormat::Rgb888, 0x12_3400..=0x12_34FF),
             (ColorFormat::Gray8, 0..=255),
+            (ColorFormat::Rgb332, 0..=255),
         ] {
             for number in numbers {
                 assert_eq!(format.number(format.rgb(number)), number, "{format:?}");
@@ -206,11 +231,13 @@ mod tests {
         // 4 and 5 of 31 are 32.9 and 41.1, 8 and 9 of 63 are 32.4 and 36.4.
         assert_eq!(ColorFormat::Rgb565.number([37.0; 3]), 4 << 11 | 9 << 5 | 4);
         assert_eq!(ColorFormat::Gray8.number([255.0, 0.0, 0.0]), 76);
+        // 1 of 7 is 36.4, and 0 and 1 of 3 are 0 and 85.
+        assert_eq!(ColorFormat::Rgb332.number([37.0; 3]), 1 << 5 | 1 << 2);
     }
 
     #[test]
     fn colours_take_the_bytes_of_their_types() {
-        assert_eq!(ColorFormat::NAMES.map(|(_, format)| format.bytes()), [2, 2, 4, 1]);
+        assert_eq!(ColorFormat::NAMES.map(|(_, format)| format.bytes()), [2, 2, 4, 1, 1]);
         assert_eq!(name(&ColorFormat::NAMES, &ColorFormat::Rgb888), "rgb888");
     }
 }

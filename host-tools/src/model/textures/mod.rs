@@ -196,7 +196,10 @@ fn alpha(texels: &[Vec<Stored>], choice: Option<AlphaFormat>) -> Option<AlphaFor
     let least_opaque = match choice {
         // With two values, what is more opaque than transparent is opaque.
         AlphaFormat::Key | AlphaFormat::Bits1 => HALF,
-        AlphaFormat::Bits4 | AlphaFormat::Bits8 => 255.0 - 1e-9,
+        AlphaFormat::Bits4
+        | AlphaFormat::Bits8
+        | AlphaFormat::Translucent4
+        | AlphaFormat::Translucent8 => 255.0 - 1e-9,
     };
     texels.iter().flatten().any(|texel| texel[3] < least_opaque).then_some(choice)
 }
@@ -229,7 +232,10 @@ impl Textures {
         let alpha = match self.alpha {
             None => String::new(),
             Some(AlphaFormat::Key) => ", colour key".to_owned(),
-            Some(alpha) => format!(", {} bits of alpha", name(&AlphaFormat::NAMES, &alpha)),
+            Some(alpha) => {
+                let blended = if alpha.is_translucent() { " for blending" } else { "" };
+                format!(", {} bits of alpha{blended}", alpha.bits().unwrap_or(0))
+            }
         };
         format!("{width}x{height}, {format}, {color}{mipmaps}{alpha}")
     }

@@ -1,0 +1,87 @@
+//! What the converter writes compiles, in every format of textures.
+
+use std::{fs, path::Path};
+
+use host_tools::model::{
+    AlphaFormat, ColorFormat, Model, Options, TexelFormat, TextureOptions, emit,
+};
+
+use crate::compile_fail::compile;
+
+/// A square with a material, and one without a picture.
+const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n\
+                   usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 4/4\n";
+
+/// A picture of four colours, of which one is half transparent.
+fn picture() -> Vec<u8> {
+    let texels: [[u8; 4]; 4] =
+        [[250, 10, 0, 255], [0, 200, 30, 255], [0, 0, 90, 128], [255, 255, 255, 255]];
+    // One block of texels as they are, each row after a byte for no filter.
+    let rows = texels.as_flattened().chunks(8).flat_map(|row| [&[0], row].concat());
+    let data: Vec<u8> = rows.collect();
+    let length = data.len() as u16;
+    let mut stream = vec![0x78, 0x01, 0x01];
+    stream.extend(length.to_le_bytes());
+    stream.extend((!length).to_le_bytes());
+    stream.extend(&data);
+    let (a, b) = data.iter().fold((1_u32, 0_u32), |(a, b), &byte| {
+        let a = (a + u32::from(byte)) % 65_521;
+        (a, (b + a) % 65_521)
+    });
+    stream.extend((b << 16 | a).to_be_bytes());
+    let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
+    let header = [0, 0, 0, 2, 0, 0, 0, 2, 8, 6, 0, 0, 0];
+    for (kind, chunk) in [(b"IHDR", &header[..]), (b"IDAT", &stream), (b"IEND", &[])] {
+        file.extend((chunk.len() as u32).to_be_bytes());
+        let named = [&kind[..], chunk].concat();
+        let sum = named.iter().fold(u32::MAX, |sum, &byte| {
+            (0..8).fold(sum ^ u32::from(byte), |sum, _| (sum >> 1) ^ (0xEDB8_8320 * (sum & 1)))
+        });
+        file.extend(named);
+        file.extend((!sum).to_be_bytes());
+    }
+    file
+}
+
+fn compiles(directory: &Path, options: TextureOptions) -> String {
+    let options = Options { textures: Some(options), ..Options::default() };
+    let model = Model::load(directory.join("a.obj"), &options).unwrap();
+    let source = emit::source(&model);
+    let file = directory.join("a.rs");
+    fs::write(&file, format!("#![no_std]\n#![deny(warnings)]\n{source}")).unwrap();
+    let output = compile(&file, &["--crate-type=lib"]);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{told}\n{source}");
+    source
+}
+
+#[test]
+fn textures_compile_in_every_format() {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("written_tables");
+    fs::create_dir_all(&directory).unwrap();
+    for (name, contents) in [
+        ("a.obj", OBJ.as_bytes()),
+        ("a.mtl", b"newmtl a\nmap_Kd a.png\nnewmtl b\nKd 1 0 0\n"),
+        ("a.png", &picture()),
+    ] {
+        fs::write(directory.join(name), contents).unwrap();
+    }
+    let formats = [TexelFormat::Direct, TexelFormat::Indexed2, TexelFormat::Gray4];
+    for (i, (_, alpha)) in AlphaFormat::NAMES.into_iter().enumerate() {
+        let (_, color) = ColorFormat::NAMES[i % ColorFormat::NAMES.len()];
+        let options = TextureOptions {
+            format: formats[i % 3],
+            color,
+            mipmaps: i % 2 == 1,
+            alpha: Some(alpha),
+            size: None,
+        };
+        let source = compiles(&directory, options);
+        assert_eq!(source.contains("Translucent<"), alpha.is_translucent(), "{source}");
+    }
+    // The colours of one byte, and those without any transparency.
+    for format in [TexelFormat::Direct, TexelFormat::Indexed8] {
+        let (color, alpha) = (ColorFormat::Rgb332, Some(AlphaFormat::Translucent8));
+        compiles(&directory, TextureOptions { format, color, alpha, ..TextureOptions::default() });
+    }
+}
