@@ -62,6 +62,7 @@ examples! {
     perspective_modes = "../examples/perspective_modes.rs",
     projections = "../examples/projections.rs",
     several_objects = "../examples/several_objects.rs",
+    supersampling = "../examples/supersampling.rs",
     text_over_picture = "../examples/text_over_picture.rs",
     texture_borders = "../examples/texture_borders.rs",
     textured = "../examples/textured.rs",

@@ -36,6 +36,7 @@ mod placement_table;
 mod seam;
 #[cfg(not(rasterizer_narrow))]
 mod sending;
+mod supersampling;
 mod targets;
 mod textured_frames;
 mod unclipped;

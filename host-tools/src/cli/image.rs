@@ -1,9 +1,15 @@
 //! Pictures to look at: those of both rasterizers on a background, and their differences.
 
+use embedded_graphics_core::{
+    geometry::Point,
+    pixelcolor::{Rgb888, RgbColor as _},
+    primitives::Rectangle,
+};
 use host_tools::{
     check::{Bounds, Checked, Difference, Display, FixedPicture, Pixel},
     reference::Picture,
 };
+use rasterizer::output::Frame;
 
 /// A picture of 8-bit red, green and blue.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -152,6 +158,24 @@ impl Image {
     /// What a display shows of it.
     pub(super) fn shown_by(&self, display: Display) -> Self {
         Self { size: self.size, rgb: display.shown(self.size, &self.rgb) }
+    }
+
+    /// The picture whose pixels are the means of squares of this one's, `side` pixels wide: 1, 2 or
+    /// 4. Its own sides are multiples of that.
+    pub(super) fn resolved(&self, side: u32) -> Self {
+        let mut samples: Vec<_> =
+            self.rgb.iter().map(|&[red, green, blue]| Rgb888::new(red, green, blue)).collect();
+        let area = Rectangle::new(Point::zero(), self.size.into());
+        let frame = Frame::without_depth(&mut samples, area).expect("the picture fills its size");
+        let rgb = |pixels: &mut dyn Iterator<Item = Rgb888>| {
+            pixels.map(|color| [color.r(), color.g(), color.b()]).collect()
+        };
+        let rgb = match side {
+            2 => frame.resolved::<2>().map(|resolved| rgb(&mut resolved.pixels())),
+            4 => frame.resolved::<4>().map(|resolved| rgb(&mut resolved.pixels())),
+            _ => None,
+        };
+        rgb.map_or_else(|| self.clone(), |rgb| Self { size: self.size.map(|c| c / side), rgb })
     }
 
     /// This picture and, on its right, another one of the same size.

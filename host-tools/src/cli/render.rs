@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use anyhow::{Result, anyhow};
+use anyhow::{Result, anyhow, ensure};
 use clap::{
     Args,
     builder::{PathBufValueParser, TypedValueParser as _},
@@ -19,7 +19,7 @@ use super::{
     output::{self, Overwriting},
     png,
     progress::Progress,
-    view::{ViewOptions, within},
+    view::{MAX_SIZE, ViewOptions, choice, within},
 };
 
 const EXAMPLES: &str = "\
@@ -32,6 +32,7 @@ Examples:
   host-tools render model.obj --shading phong --light=-1,2,3,0.6 --lamp 1,0,1,0.5
   host-tools render model.obj --blend add --opacity 0.3
   host-tools render model.obj --fog linear:2:4       The background hides what is far away
+  host-tools render model.obj --supersample 4        Smooth edges
   host-tools render model.obj --hidden-lines --edges 30  The edges that can be seen
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
@@ -48,6 +49,14 @@ pub(super) struct Arguments {
     /// Overwrite a file that is not from this program
     #[arg(long)]
     force: bool,
+    /// Samples of a pixel along each side, whose mean it shows; 2 and 4 are slower and smoother
+    #[arg(
+        long,
+        value_name = "N",
+        default_value = "1",
+        value_parser = choice(&[("1", 1u32), ("2", 2), ("4", 4)])
+    )]
+    supersample: u32,
     /// Draw the edges of the model's faces in place of its surfaces
     #[arg(long, group = "lines")]
     wireframe: bool,
@@ -117,11 +126,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let rgb565 = Display { colors: Colors::Rgb565, dither: Matrix::None };
     let display = view.display.or(arguments.rgb565.then_some(rgb565));
 
+    let side = arguments.supersample;
+    let samples = view.size.map(|pixels| pixels * side);
+    ensure!(
+        samples.iter().all(|&samples| samples <= MAX_SIZE),
+        "with --supersample {side} a side of --size is at most {}",
+        MAX_SIZE / side
+    );
+
     let mut is_empty = true;
     let bytes = {
         let progress = Progress::over(frames, "drawing");
         let images = (0..frames).map(|frame| {
-            let view = view.turned(frame, frames);
+            let view = View { size: samples, ..view.turned(frame, frames) };
             let picture = if has_lines {
                 check::wireframe(&model, &view, arguments.hidden_lines)
                     .map_err(|error| refused(&arguments.model, &error))?
@@ -129,7 +146,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
                 draw(&arguments.model, &model, &view)?
             };
             is_empty &= picture.pixels.iter().all(|pixel| pixel.depth == 0);
-            let image = image::of_fixed(&picture, background);
+            let image = image::of_fixed(&picture, background).resolved(side);
             progress.step();
             Ok(display.map_or_else(|| image.clone(), |display| image.shown_by(display)))
         });

@@ -41,6 +41,7 @@ mod channels;
 mod composite;
 mod dither;
 mod linear;
+mod mean;
 mod rgb332;
 
 pub use alpha::Alpha;
@@ -49,4 +50,5 @@ pub use channels::Channels;
 pub(crate) use channels::to_q16;
 pub use composite::Composite;
 pub use dither::{Dither, FullColor};
+pub use mean::Mean;
 pub use rgb332::Rgb332;

@@ -129,7 +129,11 @@ impl<M: AsMut<[u8]>, C: PackedColor + 'static> Bands<M, C, NoDepth, InPages> {
 }
 
 impl<'d, M: AsMut<[P::Unit]>, C, D: StoredDepth, P: BandPixels<C>> Bands<M, C, &'d mut [D], P> {
-    fn with_depth(area: Rectangle, color: M, depth: &'d mut [D]) -> Result<Self, FrameError> {
+    pub(super) fn with_depth(
+        area: Rectangle,
+        color: M,
+        depth: &'d mut [D],
+    ) -> Result<Self, FrameError> {
         let Size { width, height } = area.size;
         let rows = if width == 0 { height } else { divide(depth.len() as u32, width) };
         Self::of(area, color, depth, rows)

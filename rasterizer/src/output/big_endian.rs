@@ -9,7 +9,7 @@ use fixed::types::U16F16;
 
 use super::{StoredColor, WordFill};
 use crate::{
-    color::{Alpha, Channels, Composite, Dither, FullColor},
+    color::{Alpha, Channels, Composite, Dither, FullColor, Mean},
     texture::Mix,
 };
 
@@ -79,6 +79,23 @@ impl Mix for Rgb565Be {
     #[inline(always)]
     fn lit(self, level: u32) -> Self {
         Rgb565::from(self).lit(level).into()
+    }
+}
+
+/// As [`Rgb565`].
+impl Mean for Rgb565Be {
+    type Sum = u32;
+
+    const NOTHING: u32 = Rgb565::NOTHING;
+
+    #[inline(always)]
+    fn added_to(self, sum: u32) -> u32 {
+        Rgb565::from(self).added_to(sum)
+    }
+
+    #[inline(always)]
+    fn of_sum(sum: u32, bits: u32) -> Self {
+        Rgb565::of_sum(sum, bits).into()
     }
 }
 

@@ -16,6 +16,7 @@ mod keep_depth;
 mod modes;
 mod packed;
 mod pixels;
+mod resolved;
 
 pub use band_pixels::{BandPixels, Unpacked};
 pub use bands::{BandAreas, Bands, StreamError};
@@ -32,6 +33,7 @@ pub use frame::{Frame, FrameError, Packed, Rows, Strided};
 pub use keep_depth::KeepDepth;
 pub use modes::{Add, Multiply, Over, Screen};
 pub use packed::PackedFrame;
+pub use resolved::{Resolved, Supersampled};
 
 use crate::{
     attribute::DepthFormat,

@@ -6,7 +6,7 @@ use host_tools::check::{Colors, DepthFormat, Display, Matrix, Subpixel, View};
 use super::names::{choice, name};
 
 /// The largest width and height of a picture: the core's own limit.
-const MAX_SIZE: u32 = 2048;
+pub(in crate::cli) const MAX_SIZE: u32 = 2048;
 
 const SUBPIXELS: [(&str, Subpixel); 2] = [("4", Subpixel::S4), ("8", Subpixel::S8)];
 

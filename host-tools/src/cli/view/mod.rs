@@ -22,6 +22,7 @@ use self::{
     lights::LightOptions, surface::SurfaceOptions,
 };
 pub(super) use self::{
+    display::MAX_SIZE,
     names::{choice, within},
     settings::Settings,
 };
