@@ -30,10 +30,12 @@ mod coordinates;
 mod correction;
 mod depth;
 mod display;
+mod face_colors;
 mod filter;
 mod fixed;
 mod fog;
 mod layers;
+mod light_levels;
 mod lights;
 mod matcap;
 mod normals;
@@ -144,7 +146,7 @@ impl<'a> Checker<'a> {
     /// model in it.
     pub fn check(&self, view: &View) -> Result<Checked, ViewError> {
         let drawn = shading::draw(self.model, &self.surface, &self.skins, view)?;
-        let colors = shading::colors(self.model, &self.surface, &self.skins, &view.rounded());
+        let colors = face_colors::colors(self.model, &self.surface, &self.skins, &view.rounded());
         Ok(self.compare(view, drawn, &colors))
     }
 

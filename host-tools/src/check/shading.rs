@@ -1,7 +1,8 @@
 //! The shaders that a view offers, each with the definition that judges it.
 //!
 //! A new shader of the core takes three entries in this file: a variant of [`Shading`], its name in
-//! [`Shading::NAMES`], and an arm in [`draw`]. The command line takes its choices from the names.
+//! [`Shading::NAMES`], and an arm in [`draw`]; and one in `levels` of [`super::face_colors`]. The
+//! command line takes its choices from the names.
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
@@ -17,18 +18,16 @@ use super::{
     any_mode::{AnyMode, InAnyMode},
     any_texture::AnyFilter,
     fixed::{self, Drawn},
-    lights::total,
+    light_levels::{corner_levels, flat_levels},
     matcap,
-    places::FaceColors,
-    quantised_positions,
     shiny::{self, Definition},
     skins::Skins,
     surface::Surface,
     textured::{self, PlacedCorner},
-    view::{Projection, View, ViewError},
+    view::{View, ViewError},
 };
 use crate::{
-    model::{Face, Model},
+    model::Model,
     reference::{Corner, Sample},
 };
 
@@ -282,30 +281,6 @@ fn draw_colored<'a>(
     }
 }
 
-/// The levels of the triangles of the tables, and of those that the faces of the file are cut into,
-/// at their middles.
-fn flat_levels(model: &Model, surface: &Surface, view: &View) -> (Vec<f64>, Vec<f64>) {
-    let lights = view.lights.reference();
-    let mean = |corners: [[f64; 3]; 3]| {
-        [0, 1, 2].map(|i| corners.iter().map(|corner| corner[i]).sum::<f64>() / 3.0)
-    };
-    let positions = view.core_pose_points(&quantised_positions(model));
-    let normals: Vec<_> =
-        model.face_normals.iter().map(|n| n.map(|c| f64::from(c) / 127.0)).collect();
-    let triangles = model.triangles.as_triangles();
-    let levels = view.core_pose_points(&normals).into_iter().enumerate().map(|(i, normal)| {
-        let corners = triangles.get(i).unwrap_or_default();
-        lights.diffuse(mean(corners.map(|vertex| positions[vertex])), normal)
-    });
-    // There is no surface where only the core's picture is wanted.
-    let mesh = surface.mesh(model, &view.rounded());
-    let file_normals = view.pose_points(&surface.triangle_normals(model));
-    let file_levels = mesh.triangles.iter().zip(file_normals).map(|(corners, normal)| {
-        lights.diffuse(mean(corners.map(|vertex| mesh.positions[vertex])), normal)
-    });
-    (levels.collect(), file_levels.collect())
-}
-
 const MATERIALS: &str = "a model has triangles, and these have materials";
 
 /// [`draw`] for shaders with textures.
@@ -399,122 +374,6 @@ fn lit_level(varying: u16) -> f64 {
     (f64::from(varying) - 64.0) / 32_768.0
 }
 
-/// The colours that each face may have, however it is cut into triangles.
-pub(super) fn colors(
-    model: &Model,
-    surface: &Surface,
-    skins: &Skins,
-    view: &View,
-) -> Vec<Option<FaceColors>> {
-    let faces = model.exact.faces.faces.iter();
-    let brightest = shiny::brightest(model);
-    let levels = levels(model, surface, view);
-    let bare = faces.zip(levels).map(|(face, levels)| {
-        if view.shading.is_shiny() {
-            let range = [[0.0; 3], brightest[face.material]];
-            Some(FaceColors { range, levels: [0.0, 1.0] })
-        } else if view.shading == Shading::Matcap {
-            Some(matcap::colors())
-        } else if view.shading.is_textured() {
-            skins.colors(face.material, levels)
-        } else if view.shading.is_colored() {
-            let corners = face.corners.clone().map(|corner| file_channels(model, corner));
-            Some(FaceColors { range: range(corners), levels })
-        } else {
-            Some(FaceColors { range: [face.color.map(f64::from); 2], levels })
-        }
-    });
-    let Some(fog) = view.fog else { return bare.collect() };
-    bare.zip(distances(model, view))
-        .map(|(colors, distances)| Some(fog.colors(colors?, distances)))
-        .collect()
-}
-
-/// The distances between which each face lies in fog, with a quantum of the tables on both sides.
-fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
-    let quantum = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
-    let (camera, faces) = (view.reference_camera(), &model.exact.faces);
-    let [near, far] = [view.near, view.far];
-    let posed = view.pose_points(&faces.positions).into_iter();
-    let all: Vec<f64> = posed.map(|p| -camera.to_view(p)[2]).collect();
-    let is_parallel = matches!(view.projection, Projection::Orthographic { .. });
-    let of_face = |face: &Face| {
-        let corners = faces.corners[face.corners.clone()].iter().map(|&p| all[p as usize]);
-        let least = corners.clone().fold(f64::INFINITY, f64::min);
-        let most = corners.fold(f64::NEG_INFINITY, f64::max);
-        if is_parallel {
-            [near; 2]
-        } else {
-            [(least - quantum).clamp(near, far), (most + quantum).clamp(near, far)]
-        }
-    };
-    faces.faces.iter().map(of_face).collect()
-}
-
-/// The levels of light that each face may have.
-fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
-    let lights = view.lights.reference();
-    let faces = &model.exact.faces;
-    // By how much the level of a normal in 127ths may be off: it lies in the unit cube about the
-    // exact one, whose diagonal is the root of 3.
-    let normal = total(&lights).min(1.0) * 1.733 / 127.0;
-    let any = [lights.ambient - normal, 1.0];
-    let within = |levels: &mut dyn Iterator<Item = f64>| {
-        let [low, high] = levels
-            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], l| [low.min(l), high.max(l)]);
-        [low - normal, high + normal]
-    };
-    match view.shading {
-        Shading::Unlit | Shading::Colored | Shading::Matcap | Shading::Textured => {
-            vec![[1.0, 1.0]; faces.faces.len()]
-        }
-        // Where its middle lies, depends on how a face is cut.
-        Shading::Flat | Shading::TexturedFlat if view.lights.are_near() => {
-            vec![any; faces.faces.len()]
-        }
-        Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())
-            .map(|face| {
-                surface.possible_normals(faces, face).map_or(any, |normals| {
-                    let normals = view.pose_points(&normals).into_iter();
-                    within(&mut normals.map(|n| lights.diffuse([0.0; 3], n)))
-                })
-            })
-            .collect(),
-        _ => {
-            let levels = corner_levels(model, surface, view);
-            (faces.faces.iter())
-                .map(|face| within(&mut levels[face.corners.clone()].iter().flatten().copied()))
-                .collect()
-        }
-    }
-}
-
-/// The levels that each corner of each face may have, at least one.
-fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>> {
-    let lights = view.lights.reference();
-    let positions = view.pose_points(&model.exact.positions).into_iter();
-    let of_vertices: Vec<f64> = (view.pose_points(&model.exact.vertex_normals).into_iter())
-        .zip(positions)
-        .map(|(normal, position)| lights.diffuse(position, normal))
-        .collect();
-    let normals: Vec<_> =
-        surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
-    let of_faces = view.pose_points(&normals);
-    let faces = &model.exact.faces;
-    let places = view.pose_points(&faces.positions);
-    let mut levels = Vec::with_capacity(surface.vertices.len());
-    for (face, normal) in faces.faces.iter().zip(of_faces) {
-        for corner in face.corners.clone() {
-            let vertices = &surface.vertices[corner];
-            let of_face = lights.diffuse(places[faces.corners[corner] as usize], normal);
-            let known = vertices.iter().filter_map(|&vertex| of_vertices.get(vertex).copied());
-            let known: Vec<f64> = known.collect();
-            levels.push(if known.is_empty() { vec![of_face] } else { known });
-        }
-    }
-    levels
-}
-
 /// The level that a place in the ramp stands for: 0 and 1 lie in the middle of the first and the
 /// last of its [`LEVELS`].
 fn ramp_level(place: u16) -> f64 {
@@ -530,17 +389,8 @@ fn channels(corner: &<Affine as Mode>::OnScreen<[u16; 3]>) -> [f64; 3] {
 }
 
 /// The colour of a corner of the file, from 0 to 255.
-fn file_channels(model: &Model, corner: usize) -> [f64; 3] {
+pub(super) fn file_channels(model: &Model, corner: usize) -> [f64; 3] {
     model.exact.faces.vertex_colors.get(corner).copied().unwrap_or_default()
-}
-
-/// The least and the largest of each channel.
-fn range(colors: impl Iterator<Item = [f64; 3]>) -> [[f64; 3]; 2] {
-    colors.fold([[f64::INFINITY; 3], [0.0; 3]], |[least, most], color| {
-        let each =
-            |of: fn(f64, f64) -> f64, with: [f64; 3]| [0, 1, 2].map(|i| of(with[i], color[i]));
-        [each(f64::min, least), each(f64::max, most)]
-    })
 }
 
 /// The colour of each triangle's material.

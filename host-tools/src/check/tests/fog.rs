@@ -124,7 +124,7 @@ fn a_wrong_amount_is_found() {
     let other = |wrong: &View| {
         let mut drawn = shading::draw(&model, &checker.surface, &checker.skins, &right).unwrap();
         drawn.picture = render(&model, wrong).unwrap();
-        let colors = shading::colors(&model, &checker.surface, &checker.skins, &right);
+        let colors = face_colors::colors(&model, &checker.surface, &checker.skins, &right);
         checker.compare(&right, drawn, &colors).outcome
     };
     assert!(other(&right).is_within(&Bounds::ARITHMETIC));

@@ -136,7 +136,7 @@ fn a_coordinate_that_is_off_is_found_with_its_pixel() {
             |_| ([0.0; 2], 1.0),
         )
         .unwrap();
-        let colors = shading::colors(&model, &checker.surface, &checker.skins, &view);
+        let colors = face_colors::colors(&model, &checker.surface, &checker.skins, &view);
         let arithmetic = checker.compare(&view, drawn, &colors).outcome.arithmetic;
         let worst = arithmetic.texels.unwrap().out_of_bounds().unwrap();
         assert!(!arithmetic.is_within(&Bounds::ARITHMETIC));
