@@ -1,6 +1,6 @@
 //! The `build.rs` of a firmware that draws a gear.
 //!
-//! The firmware's `Cargo.toml` names the converter without its command-line program:
+//! The firmware's `Cargo.toml` names the converter without the comparison and the command line:
 //!
 //! ```toml
 //! [build-dependencies]
