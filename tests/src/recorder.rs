@@ -107,7 +107,7 @@ mod tests {
     #[should_panic(expected = "over 1048576 pixels are sent in a call")]
     fn pixels_without_end_are_refused() {
         let area = Rectangle::new(Point::zero(), Size::new(8, 8));
-        let colors = std::iter::repeat(BinaryColor::On);
+        let colors = std::iter::from_fn(|| Some(BinaryColor::On));
         let _ = Recorder::new(area).fill_contiguous(&area, colors);
     }
 }
