@@ -153,3 +153,22 @@ pub(crate) const fn saturate(value: i32, limit: i32) -> i32 {
         value
     }
 }
+
+/// The number, or 0 if it is negative. It is below 2^`BITS`.
+#[inline(always)]
+pub(crate) const fn not_negative<const BITS: u32>(value: i32) -> u32 {
+    // Where a core has an instruction that saturates, it takes both ends.
+    let value = if !IS_NARROW && value >= 1 << BITS { (1 << BITS) - 1 } else { value };
+    (if value < 0 { 0 } else { value }) as u32
+}
+
+/// The lesser of the number, which is not negative, and 2^`BITS` - 1.
+#[inline(always)]
+pub(crate) const fn at_most<const BITS: u32>(value: i32) -> u32 {
+    if IS_NARROW {
+        let value = value as u32;
+        if value >= 1 << BITS { (1 << BITS) - 1 } else { value }
+    } else {
+        not_negative::<BITS>(value)
+    }
+}

@@ -18,6 +18,7 @@ mod divide;
 mod float;
 mod instructions;
 mod interchange;
+mod length;
 mod reciprocal;
 mod root;
 mod rotation;
@@ -32,10 +33,11 @@ pub(crate) use direction::{Direction, dot_q15, inverse_square, unit_q15};
 pub(crate) use divide::Divisor;
 pub(crate) use float::Float;
 pub(crate) use instructions::{
-    HAS_LEADING_ZEROS, HAS_UNALIGNED_WORDS, IS_NARROW, divide, divide_small, few_leading_zeros,
-    leading_zeros, mul_high, mul_high_unsigned, mul_q30, mul_q60, mul_wide, mul_wide_q30,
-    normalised, saturate, shifted,
+    HAS_LEADING_ZEROS, HAS_UNALIGNED_WORDS, IS_NARROW, at_most, divide, divide_small,
+    few_leading_zeros, leading_zeros, mul_high, mul_high_unsigned, mul_q30, mul_q60, mul_wide,
+    mul_wide_q30, normalised, not_negative, saturate, shifted,
 };
+pub(crate) use length::Scaled;
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::unit;
 pub use rotation::Rotation;

@@ -3,7 +3,10 @@
 use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 
 use super::Ramp;
-use crate::mesh::{Finish, MeshMaterial};
+use crate::{
+    mesh::{Finish, MeshMaterial},
+    numbers::at_most,
+};
 
 /// `Ke + Kd diffuse + Ks specular` in each channel, at most full, rounded to the nearest: by a ramp
 /// where there is no highlight, which is at most pixels, and computed where there is one.
@@ -14,27 +17,37 @@ pub struct Finished<C, const LEVELS: usize> {
 }
 
 /// The colours that are added.
+// codegen: in words, which take no instructions to unpack. Signed, so that a sum can be saturated by
+// an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Colors {
-    diffuse: Rgb888,
-    specular: [u8; 3],
-    emission: [u8; 3],
+    /// From 0 to 255.
+    diffuse: [i32; 3],
+    specular: [i32; 3],
+    /// In Q16, and a half.
+    emission: [i32; 3],
 }
 
 impl Colors {
+    fn new(diffuse: Rgb888, specular: [u8; 3], emission: [u8; 3]) -> Self {
+        Self {
+            diffuse: [diffuse.r(), diffuse.g(), diffuse.b()].map(i32::from),
+            specular: specular.map(i32::from),
+            emission: emission.map(|own| (i32::from(own) << 16) + (1 << 15)),
+        }
+    }
+
     /// At levels in Q16, 0 to 65,536.
     #[inline(always)]
     fn at(&self, diffuse: u32, specular: u32) -> Rgb888 {
-        let channel = |full: u8, shine: u8, own: u8| {
+        let [red, green, blue] = core::array::from_fn(|i| {
             // Below 2^26.
-            let sum = u32::from(full) * diffuse
-                + u32::from(shine) * specular
-                + ((u32::from(own) << 16) + (1 << 15));
-            (sum >> 16).min(255) as u8
-        };
-        let [[sr, sg, sb], [er, eg, eb]] = [self.specular, self.emission];
-        let full = self.diffuse;
-        Rgb888::new(channel(full.r(), sr, er), channel(full.g(), sg, eg), channel(full.b(), sb, eb))
+            let sum = self.diffuse[i] * diffuse as i32
+                + self.specular[i] * specular as i32
+                + self.emission[i];
+            at_most::<8>(sum >> 16) as u8
+        });
+        Rgb888::new(red, green, blue)
     }
 }
 
@@ -42,7 +55,7 @@ impl<C: Copy + From<Rgb888>, const LEVELS: usize> Finished<C, LEVELS> {
     /// Of a material of the mesh.
     pub(super) fn new(material: &MeshMaterial<'_>, finish: &Finish) -> Self {
         let Finish { specular, emission, .. } = *finish;
-        let colors = Colors { diffuse: material.rgb(), specular, emission };
+        let colors = Colors::new(material.rgb(), specular, emission);
         // The step from level to level in Q24, within half a unit: levels are within 2^-9 of Q16.
         let step = const { ((1 << 24) + (LEVELS as u32 - 1) / 2) / (LEVELS as u32 - 1) };
         let level = |index: usize| (index as u32 * step + (1 << 7)) >> 8;

@@ -8,7 +8,8 @@ use fixed::types::U16F16;
 use super::{
     FarViewer, Light, Lighting, NearViewer, Shader, ViewedFrom,
     finished::Finished,
-    lighting::{Eye, Gloss, Spot},
+    lighting::{Eye, Gloss, Levels, Spot},
+    phong::unit_varying,
 };
 use crate::{
     geometry::ObjectView,
@@ -112,12 +113,12 @@ where
     #[inline(always)]
     fn vertex(&self, vertex: &MeshVertex<'_>) -> [u16; 2] {
         let position = vertex.position().map(|c| i32::from(c) << self.spare_bits);
-        // Of a length below 2^8: to 2^16.
-        let normal = vertex.normal().map(|c| i32::from(c) << 8);
+        // To a length of 2^15, and one that is far too long below it.
+        let normal = unit_varying(vertex.normal()).map(|c| i32::from(c) << 4);
         let spot = Spot::new([normal, position], &self.eye, &self.gloss);
-        let mut sum = [0; 2];
+        let mut sum = Levels::default();
         L::shine(&self.beams, &spot, &mut sum);
-        sum.map(|level| (level >> 14).min(u16::MAX.into()) as u16)
+        spot.levels::<L>(&sum).map(|level| level as u16)
     }
 
     #[inline(always)]

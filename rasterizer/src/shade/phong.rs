@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use super::{
     FarViewer, Light, Lighting, NearViewer, Sample, Shader, ViewedFrom,
     finished::Finished,
-    lighting::{Ambit, Eye, Gloss, Illuminate, POSITION_BITS, Place, Spot, Viewpoint},
+    lighting::{Ambit, Eye, Gloss, Illuminate, Levels, POSITION_BITS, Place, Spot, Viewpoint},
 };
 use crate::{
     attribute::{Adaptive, Correction, PerspectiveCorrect},
@@ -135,11 +135,33 @@ where
 
     #[inline(always)]
     fn pixel(&self, surface: &Self::Surface, (): &(), fragment: Fragment<Sample<Self>>) -> C {
-        let pixel = PlaceOf::<L, V>::pixel(fragment.varyings.value);
-        let spot = Spot::new(pixel, &self.eye, &surface.gloss);
-        let mut sum = [0; 2];
+        let [[x, y, z], position] = PlaceOf::<L, V>::pixel(fragment.varyings.value);
+        self.shaded(surface, x, y, z, position)
+    }
+
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Self::Surface,
+        (): (),
+    ) -> impl Fn(Fragment<Sample<Self>>) -> C + Copy {
+        move |fragment| self.pixel(surface, &(), fragment)
+    }
+}
+
+impl<C, L, V, M, const LEVELS: usize> Phong<C, L, V, M, LEVELS>
+where
+    C: Copy + From<Rgb888>,
+    L: Lighting,
+    V: ViewedFrom,
+{
+    // codegen: called with coordinates in registers, because the loop over pixels has none to spare.
+    #[inline(never)]
+    fn shaded(&self, surface: &Glossy<C, LEVELS>, x: i32, y: i32, z: i32, position: [i32; 3]) -> C {
+        let spot = Spot::new([[x, y, z], position], &self.eye, &surface.gloss);
+        let mut sum = Levels::default();
         L::shine(&self.beams, &spot, &mut sum);
-        let [diffuse, specular] = sum.map(|level| level >> 14);
+        let [diffuse, specular] = spot.levels::<L>(&sum);
         surface.colors.at(diffuse, specular)
     }
 }
@@ -148,7 +170,7 @@ where
 /// stays below 2^12, where [`Adaptive`] can do without divisions. One that is far too long is
 /// halved, so that its square fits at each pixel.
 #[inline(always)]
-fn unit_varying(normal: [i8; 3]) -> [i16; 3] {
+pub(super) fn unit_varying(normal: [i8; 3]) -> [i16; 3] {
     let [x, y, z] = normal.map(i32::from);
     // The longest that rounding leaves is 127.87.
     let up = if x * x + y * y + z * z < 1 << 14 { 4 } else { 3 };

@@ -1,7 +1,7 @@
 //! A light at a point, which gets weaker with distance.
 
 use super::{
-    FULL, Illuminate, Level, add,
+    Illuminate, Level, Levels,
     place::Here,
     point::{Point, length},
     spot::{Spot, Viewpoint},
@@ -85,6 +85,8 @@ impl Illuminate for Lamp {
     type Beams = Self;
     type Place = Here;
 
+    const COUNT: usize = 1;
+
     const NO_BEAMS: Self = Self::new(Vec3::ZERO, Distance::ZERO, Level::ZERO);
 
     fn for_view(&self, view: &ObjectView<'_>) -> Self {
@@ -114,12 +116,14 @@ impl Illuminate for Lamp {
     }
 
     #[inline(always)]
-    fn shine<V: Viewpoint>(lamp: &Self, spot: &Spot<'_, V>, sum: &mut [u32; 2]) {
+    fn shine<V: Viewpoint>(lamp: &Self, spot: &Spot<'_, V>, sum: &mut Levels) {
         let to_lamp = lamp.point.from(spot.position);
         let level = lamp.attenuated(&to_lamp);
-        let cosine = dot_q15(&spot.normal, &to_lamp.unit).max(0) as u32 >> 15;
-        add(&mut sum[0], (cosine * level).min(FULL));
-        add(&mut sum[1], spot.highlight(&spot.half(&to_lamp.unit), level));
+        // Twice the length by the cosine: below 2^16 of both.
+        sum.direct += (spot.normal.along(&to_lamp.unit) * level) >> 16;
+        if spot.is_glossy() {
+            spot.add_highlight(&spot.half(&to_lamp.unit), (level >> 1) as i32, sum);
+        }
     }
 }
 

@@ -3,13 +3,13 @@
 use fixed::types::U1F15;
 
 use super::{
-    FULL, Illuminate, add,
+    Illuminate, Levels,
     place::Anywhere,
     spot::{Spot, Viewpoint, half},
 };
 use crate::{
     geometry::{ObjectView, Pose},
-    numbers::{Vec3, dot_q15, mul_q30, unit},
+    numbers::{Vec3, mul_q30, unit},
 };
 
 /// A brightness: Q1.15, where 1 is full.
@@ -83,21 +83,26 @@ impl Light {
 /// A [`Light`] as pixels need it.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam {
-    /// The direction towards it, in Q15.
+    /// The direction towards it, in Q15: for near viewers.
     toward: [i32; 3],
+    /// The same times the level, below 2, in Q14.
+    factors: [i32; 3],
     /// The direction halfway between that and the one towards a far viewer, in Q15.
     half: [i32; 3],
-    /// In Q30.
+    /// In Q16.
     ambient: u32,
-    /// In Q15.
-    level: u32,
+    /// In Q14.
+    level: i32,
 }
 
 impl Illuminate for Light {
     type Beams = Beam;
     type Place = Anywhere;
 
-    const NO_BEAMS: Beam = Beam { toward: [0; 3], half: [0; 3], ambient: 0, level: 0 };
+    const COUNT: usize = 1;
+
+    const NO_BEAMS: Beam =
+        Beam { toward: [0; 3], factors: [0; 3], half: [0; 3], ambient: 0, level: 0 };
 
     fn for_view(&self, view: &ObjectView<'_>) -> Self {
         self.for_object(view.pose())
@@ -114,21 +119,24 @@ impl Illuminate for Light {
 
     fn beams(&self, viewer: [i32; 3]) -> Beam {
         let toward = self.toward.map(|c| (c + (1 << 14)) >> 15);
+        let level = i32::from(self.diffuse.to_bits());
         Beam {
             toward,
+            factors: toward.map(|c| (((c * level) >> 15) + 1) >> 1),
             half: half(&toward, &viewer),
-            ambient: (u32::from(self.ambient.to_bits()) << 15).min(FULL),
-            level: self.diffuse.to_bits().into(),
+            ambient: u32::from(self.ambient.to_bits()) << 1,
+            level: level >> 1,
         }
     }
 
     #[inline(always)]
-    fn shine<V: Viewpoint>(beam: &Beam, spot: &Spot<'_, V>, sum: &mut [u32; 2]) {
-        let cosine = dot_q15(&spot.normal, &beam.toward).max(0) as u32 >> 15;
-        add(&mut sum[0], beam.ambient);
-        add(&mut sum[0], (cosine * beam.level).min(FULL));
-        let half = if V::IS_NEAR { spot.half(&beam.toward) } else { beam.half };
-        add(&mut sum[1], spot.highlight(&half, beam.level));
+    fn shine<V: Viewpoint>(beam: &Beam, spot: &Spot<'_, V>, sum: &mut Levels) {
+        sum.ambient += beam.ambient;
+        sum.direct += spot.normal.along(&beam.factors);
+        if spot.is_glossy() {
+            let half = if V::IS_NEAR { spot.half(&beam.toward) } else { beam.half };
+            spot.add_highlight(&half, beam.level, sum);
+        }
     }
 }
 

@@ -33,9 +33,6 @@ pub trait Lighting: Copy + Debug + Illuminate {}
 
 impl<L: Illuminate> Lighting for L {}
 
-/// One full level, in Q30.
-pub(in crate::shade) const FULL: u32 = 1 << 30;
-
 /// What shaders need of lights.
 pub trait Illuminate: Copy + Debug {
     /// The lights as pixels need them.
@@ -43,6 +40,9 @@ pub trait Illuminate: Copy + Debug {
 
     /// Whether light depends on the position of a surface.
     type Place: Place;
+
+    /// How many lights there are.
+    const COUNT: usize;
 
     /// [`Beams`](Self::Beams) before there is an object.
     const NO_BEAMS: Self::Beams;
@@ -58,8 +58,20 @@ pub trait Illuminate: Copy + Debug {
     /// in Q15, if that is the same from everywhere.
     fn beams(&self, viewer: [i32; 3]) -> Self::Beams;
 
-    /// Adds the diffuse and the specular level of a spot, in Q30 and each at most [`FULL`].
-    fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut [u32; 2]);
+    /// Adds the levels of a spot.
+    fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut Levels);
+}
+
+/// The sums of [`Illuminate::shine`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Levels {
+    /// In Q16, below 2^17 for each light.
+    pub(in crate::shade) ambient: u32,
+    /// The diffuse level times the length of the spot's normal, so that a sum is scaled once: below
+    /// 2^17 for each light.
+    pub(in crate::shade) direct: u32,
+    /// In Q16, below 2^17 for each light.
+    pub(in crate::shade) specular: u32,
 }
 
 /// The brightness in Q16, from 0 to 65,536.
@@ -72,16 +84,11 @@ pub(in crate::shade) fn level<L: Illuminate>(
     lights.brightness(normal, position) >> 12
 }
 
-/// Adds a level to one of [`Illuminate::shine`].
-#[inline(always)]
-pub(in crate::shade) fn add(sum: &mut u32, level: u32) {
-    // Both are at most 2^31.
-    *sum = (*sum + level).min(FULL);
-}
-
 impl<L: Illuminate, const N: usize> Illuminate for [L; N] {
     type Beams = [L::Beams; N];
     type Place = L::Place;
+
+    const COUNT: usize = N * L::COUNT;
 
     const NO_BEAMS: Self::Beams = [L::NO_BEAMS; N];
 
@@ -103,7 +110,7 @@ impl<L: Illuminate, const N: usize> Illuminate for [L; N] {
     }
 
     #[inline(always)]
-    fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut [u32; 2]) {
+    fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut Levels) {
         for beams in beams {
             L::shine(beams, spot, sum);
         }
@@ -115,6 +122,8 @@ macro_rules! several {
         impl<$($light: Illuminate),*> Illuminate for ($($light,)*) {
             type Beams = ($($light::Beams,)*);
             type Place = $place;
+
+            const COUNT: usize = 0 $(+ $light::COUNT)*;
 
             const NO_BEAMS: Self::Beams = ($($light::NO_BEAMS,)*);
 
@@ -134,7 +143,7 @@ macro_rules! several {
             }
 
             #[inline(always)]
-            fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut [u32; 2]) {
+            fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut Levels) {
                 $($light::shine(&beams.$index, spot, sum);)*
             }
         }

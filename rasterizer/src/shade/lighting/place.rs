@@ -23,7 +23,7 @@ pub trait Place: Copy + Debug {
     /// From a normal of the length 2,032 and a position of [`POSITION_BITS`] bits.
     fn vertex(normal: [i16; 3], position: [i16; 3]) -> Self::Vertex;
 
-    /// The normal of a pixel, of a length below 2^16, and its position in 16 bits; zero if it does
+    /// The normal of a pixel, of a length below 2^15, and its position in 16 bits; zero if it does
     /// not matter.
     fn pixel(pixel: Self::Pixel) -> [[i32; 3]; 2];
 }
@@ -42,11 +42,11 @@ pub enum Anywhere {}
 #[derive(Clone, Copy, Debug)]
 pub enum Here {}
 
-/// To a length of 65,024. That a varying arrives half a unit above its value turns it by up to
+/// To a length of 32,512. That a varying arrives half a unit above its value turns it by up to
 /// 0.025 degrees; to take that off would cost three instructions a pixel.
 #[inline(always)]
 fn normal(varying: [I16F16; 3]) -> [i32; 3] {
-    varying.map(|c| c.to_bits() >> 11)
+    varying.map(|c| c.to_bits() >> 12)
 }
 
 impl Place for Anywhere {

@@ -3,14 +3,14 @@
 use core::{fmt::Debug, marker::PhantomData};
 
 use super::{
-    FULL,
+    Illuminate, Levels,
     gloss::Gloss,
     place::{Anywhere, Here, Place},
     point::Point,
 };
 use crate::{
     geometry::{ObjectView, Viewer},
-    numbers::{dot_q15, unit_q15},
+    numbers::{Scaled, at_most, unit_q15},
 };
 
 /// From where highlights are seen: [`FarViewer`] or [`NearViewer`].
@@ -93,8 +93,8 @@ impl<V: Viewpoint> Eye<V> {
 /// A place on a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot<'a, V> {
-    /// Of length one, in Q15.
-    pub(in crate::shade) normal: [i32; 3],
+    /// With one over its length.
+    pub(in crate::shade) normal: Scaled,
     /// In 16 bits.
     pub(in crate::shade) position: [i32; 3],
     /// The direction towards the viewer, in Q15.
@@ -104,15 +104,20 @@ pub struct Spot<'a, V> {
 }
 
 impl<'a, V: Viewpoint> Spot<'a, V> {
-    /// With a normal of a length below 2^16.
+    /// With a normal of a length below 2^15.
     #[inline(always)]
     pub(in crate::shade) fn new(
         [normal, position]: [[i32; 3]; 2],
         eye: &Eye<V>,
         gloss: &'a Gloss,
     ) -> Self {
-        let normal = unit_q15(normal);
-        Self { normal, position, viewer: eye.from(position), gloss, kind: PhantomData }
+        Self {
+            normal: Scaled::of(normal),
+            position,
+            viewer: eye.from(position),
+            gloss,
+            kind: PhantomData,
+        }
     }
 
     /// The direction halfway between that of a light and that of the viewer, in Q15.
@@ -121,11 +126,30 @@ impl<'a, V: Viewpoint> Spot<'a, V> {
         half(light, &self.viewer)
     }
 
-    /// What a light of this level, in Q15, adds to the highlights, in Q30.
+    /// Whether the surface has highlights.
     #[inline(always)]
-    pub(in crate::shade) fn highlight(&self, half: &[i32; 3], level: u32) -> u32 {
-        let cosine = dot_q15(&self.normal, half).max(0) as u32 >> 15;
-        (self.gloss.at(cosine) * level).min(FULL)
+    pub(in crate::shade) const fn is_glossy(&self) -> bool {
+        self.gloss.is_some()
+    }
+
+    /// Adds the highlight of a light of this level, in Q14, by the direction halfway to it.
+    #[inline(always)]
+    pub(in crate::shade) fn add_highlight(&self, half: &[i32; 3], level: i32, sum: &mut Levels) {
+        let cosine = (self.normal.along(half) * self.normal.scale) >> 16;
+        if let Some(below) = self.gloss.below_one(cosine) {
+            sum.specular += at_most::<16>((self.gloss.power(below) * level) >> 13);
+        }
+    }
+
+    /// The levels in Q16, below 2^16.
+    #[inline(always)]
+    pub(in crate::shade) fn levels<L: Illuminate>(&self, sum: &Levels) -> [u32; 2] {
+        // What one light adds is below 2^31. 2^16 is more than full light for a normal of any
+        // length.
+        let [direct, specular] = [sum.direct, sum.specular]
+            .map(|sum| if L::COUNT == 1 { sum } else { at_most::<16>(sum as i32) });
+        let direct = (direct * self.normal.scale) >> 14;
+        [at_most::<16>((sum.ambient + direct) as i32), specular]
     }
 }
 
