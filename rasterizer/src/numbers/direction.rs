@@ -1,7 +1,7 @@
 //! Directions in 16 bits, for vertices and pixels: as quick as a core without a long multiply can
 //! compute them.
 
-use super::{leading_zeros, root::quick_mantissa};
+use super::{leading_zeros, length::inverse_length};
 
 /// A direction of length one, and how long the vector is that it comes from.
 #[derive(Clone, Copy, Debug)]
@@ -72,15 +72,16 @@ fn normalised_small_square(square: u32) -> (u32, u32) {
 #[inline(always)]
 fn scaled(v: [i32; 3], square: u32, half: u32) -> [i32; 3] {
     // 2^30 / √square, 15 bits: with a coordinate, which is no longer than the root, at most 2^30.
-    let factor = ((quick_mantissa(square) + (1 << 9)) >> 10) as i32;
+    let factor = ((inverse_length(square >> 2) + 1) >> 1) as i32;
     v.map(|c| ((c << half) * factor + (1 << 14)) >> 15)
 }
 
 /// 2^46 / `sum`, for 2^30 <= sum < 2^32, within 2^-13 of itself.
 #[inline(always)]
 pub(crate) const fn inverse_square(sum: u32) -> u32 {
-    let root = (quick_mantissa(sum) + (1 << 9)) >> 10;
-    (root * root + (1 << 13)) >> 14
+    // 2^31 / √sum, below 2^16.
+    let root = inverse_length(sum >> 2);
+    (root * root + (1 << 15)) >> 16
 }
 
 #[cfg(test)]

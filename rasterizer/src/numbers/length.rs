@@ -7,7 +7,7 @@ use super::{leading_zeros, not_negative};
 pub(crate) struct Scaled {
     /// The vector, shifted up if its length is below 2^14. A zero vector stays zero.
     pub(crate) vector: [i32; 3],
-    /// 2^30 / its length: below 2^16, within 2^-13.6.
+    /// 2^30 / its length: below 2^16, within 2^-14.4.
     pub(crate) scale: u32,
 }
 
@@ -17,7 +17,7 @@ impl Scaled {
     pub(crate) fn of(v: [i32; 3]) -> Self {
         let (mut vector, mut square) = (v, square(v));
         if square >> 28 == 0 {
-            // codegen: the shift alone is computed elsewhere, so that the vector stays in registers.
+            // codegen: only the shift is computed elsewhere: the vector stays in registers.
             let half = bits_short(square);
             vector = v.map(|c| c << half);
             square = square.max(1) << (2 * half);
@@ -48,26 +48,26 @@ const fn square([x, y, z]: [i32; 3]) -> u32 {
 }
 
 /// The bits of a square that are the index of an interval.
-const STEP_BITS: u32 = 23;
+const STEP_BITS: u32 = 22;
 
 /// The intervals of squares from 2^28 to 2^30.3. Those below 2^28 are never read: the first entries
 /// are for squares from 2^30 on.
-const INTERVALS: usize = 128;
+const INTERVALS: usize = 256;
 
 /// For each interval 2^30 / √square at its start, in the upper 16 bits, and by how much that falls
 /// until its end, in the lower.
 ///
 /// A line between both ends is too high, by (h / x)^2 3 / 32 of itself for an interval of length h
-/// at x: 2^-13.4 at most, in the first. So half of that is taken off in the middle, and 2^-14.4 is
-/// left. And 2^-15 is added for what shifts cut off of a product and of the result.
+/// at x: 2^-15.4 at most, in the first. So half of that is taken off in the middle, and 2^-16.4 is
+/// left. And 2^-16 is added for what shifts cut off of a product and of the result.
 const TABLE: [u32; INTERVALS] = {
     const fn inverse_root(square: u64) -> u64 {
         // In Q10: 2^40 / √square = √(2^80 / square).
         ((1u128 << 80) / square as u128).isqrt() as u64
     }
     let mut table = [0; INTERVALS];
-    let mut interval = 32;
-    while interval < INTERVALS as u64 + 32 {
+    let mut interval = 64;
+    while interval < INTERVALS as u64 + 64 {
         let start = interval << STEP_BITS;
         let [from, middle, to] = [
             inverse_root(start),
@@ -75,7 +75,7 @@ const TABLE: [u32; INTERVALS] = {
             inverse_root(start + (1 << STEP_BITS)),
         ];
         let off = ((from + to) / 2 - middle) / 2;
-        let higher = middle >> 15;
+        let higher = middle >> 16;
         let value = (from - off + higher + (1 << 9)) >> 10;
         let value = if value > 0xFFFF { 0xFFFF } else { value };
         table[interval as usize % INTERVALS] =
@@ -87,7 +87,7 @@ const TABLE: [u32; INTERVALS] = {
 
 /// 2^30 / √square for 2^28 <= square < 2^30.3.
 #[inline(always)]
-const fn inverse_length(square: u32) -> u32 {
+pub(super) const fn inverse_length(square: u32) -> u32 {
     let entry = TABLE[(square >> STEP_BITS) as usize & (INTERVALS - 1)];
     // 16 bits of the way times 16 bits of the fall.
     let way = (square >> (STEP_BITS - 16)) & 0xFFFF;
@@ -104,7 +104,7 @@ mod tests {
         for square in (1u32 << 28..5 << 28).step_by(61) {
             let exact = 2f64.powi(30) / f64::from(square).sqrt();
             let error = f64::from(inverse_length(square)) / exact - 1.0;
-            assert!(error.abs() < 2f64.powf(-13.6), "{square}: 2^{}", error.abs().log2());
+            assert!(error.abs() < 2f64.powf(-14.4), "{square}: 2^{}", error.abs().log2());
         }
     }
 

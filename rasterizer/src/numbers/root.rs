@@ -42,20 +42,6 @@ const fn mantissa(m: u64) -> u32 {
     y as u32
 }
 
-/// 2^40 / √`m` for 2^30 <= m < 2^32, within 2<sup>-18</sup> of itself, in products of 32 bits.
-///
-/// One step of the third order: with e = m y^2 - 1 the root is y (1 - e / 2 + 3 e^2 / 8), which
-/// turns an error d of the table into 5/2 d^3. e is the product's lower half, as the upper one is
-/// its integer part.
-#[inline(always)]
-pub(super) const fn quick_mantissa(m: u32) -> u32 {
-    let y = 256 + SEED[(m >> 25) as usize & 127] as u32;
-    // Q20 x Q16: below 2^31, as e is below 2^-5.7.
-    let e = ((m >> 12).wrapping_mul(y * y) as i32) >> 16;
-    let part = (e >> 1) - ((3 * e * e) >> 23);
-    ((y << 16) as i32 - ((y as i32 * part) >> 4)) as u32
-}
-
 /// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>, or `None`
 /// for a zero vector.
 #[inline(never)]
@@ -97,18 +83,6 @@ mod tests {
             .map(|m| (f64::from(mantissa(m)) * (m as f64).sqrt() / 2f64.powi(46) - 1.0).abs())
             .fold(0.0, f64::max);
         assert!(worst < 2f64.powi(-28), "2^{}", worst.log2());
-    }
-
-    #[test]
-    fn the_quick_root_keeps_its_bound() {
-        let worst = (1u64 << 30..1 << 32)
-            .step_by(61)
-            .map(|m| {
-                let root = f64::from(quick_mantissa(m as u32)) * (m as f64).sqrt();
-                (root / 2f64.powi(40) - 1.0).abs()
-            })
-            .fold(0.0, f64::max);
-        assert!(worst < 2f64.powi(-18), "2^{}", worst.log2());
     }
 
     #[test]

@@ -17,8 +17,8 @@ pub struct Finished<C, const LEVELS: usize> {
 }
 
 /// The colours that are added.
-// codegen: in words, which take no instructions to unpack. Signed, so that a sum can be saturated by
-// an instruction.
+// codegen: in words, which take no instructions to unpack. Signed, so that one instruction can
+// saturate a sum.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 struct Colors {
     /// From 0 to 255.

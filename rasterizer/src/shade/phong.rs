@@ -155,7 +155,7 @@ where
     L: Lighting,
     V: ViewedFrom,
 {
-    // codegen: called with coordinates in registers, because the loop over pixels has none to spare.
+    // codegen: called with coordinates in registers: the loop over pixels has none to spare.
     #[inline(never)]
     fn shaded(&self, surface: &Glossy<C, LEVELS>, x: i32, y: i32, z: i32, position: [i32; 3]) -> C {
         let spot = Spot::new([[x, y, z], position], &self.eye, &surface.gloss);

@@ -119,10 +119,11 @@ impl Illuminate for Lamp {
     fn shine<V: Viewpoint>(lamp: &Self, spot: &Spot<'_, V>, sum: &mut Levels) {
         let to_lamp = lamp.point.from(spot.position);
         let level = lamp.attenuated(&to_lamp);
-        // Twice the length by the cosine: below 2^16 of both.
-        sum.direct += (spot.normal.along(&to_lamp.unit) * level) >> 16;
+        let level = level >> 1;
+        // Twice the length by the cosine, below 2^17, and below 2^15.
+        sum.direct += (spot.normal.along(&to_lamp.unit) * level) >> 15;
         if spot.is_glossy() {
-            spot.add_highlight(&spot.half(&to_lamp.unit), (level >> 1) as i32, sum);
+            spot.add_highlight_of(&to_lamp.unit, level as i32, sum);
         }
     }
 }

@@ -134,8 +134,11 @@ impl Illuminate for Light {
         sum.ambient += beam.ambient;
         sum.direct += spot.normal.along(&beam.factors);
         if spot.is_glossy() {
-            let half = if V::IS_NEAR { spot.half(&beam.toward) } else { beam.half };
-            spot.add_highlight(&half, beam.level, sum);
+            if V::IS_NEAR {
+                spot.add_highlight_of(&beam.toward, beam.level, sum);
+            } else {
+                spot.add_highlight(&beam.half, beam.level, sum);
+            }
         }
     }
 }

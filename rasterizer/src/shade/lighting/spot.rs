@@ -120,12 +120,6 @@ impl<'a, V: Viewpoint> Spot<'a, V> {
         }
     }
 
-    /// The direction halfway between that of a light and that of the viewer, in Q15.
-    #[inline(always)]
-    pub(in crate::shade) fn half(&self, light: &[i32; 3]) -> [i32; 3] {
-        half(light, &self.viewer)
-    }
-
     /// Whether the surface has highlights.
     #[inline(always)]
     pub(in crate::shade) const fn is_glossy(&self) -> bool {
@@ -135,7 +129,25 @@ impl<'a, V: Viewpoint> Spot<'a, V> {
     /// Adds the highlight of a light of this level, in Q14, by the direction halfway to it.
     #[inline(always)]
     pub(in crate::shade) fn add_highlight(&self, half: &[i32; 3], level: i32, sum: &mut Levels) {
-        let cosine = (self.normal.along(half) * self.normal.scale) >> 16;
+        self.add_power((self.normal.along(half) * self.normal.scale) >> 16, level, sum);
+    }
+
+    /// The same by the direction of the light, for a viewer or a light that is near.
+    #[inline(always)]
+    pub(in crate::shade) fn add_highlight_of(
+        &self,
+        light: &[i32; 3],
+        level: i32,
+        sum: &mut Levels,
+    ) {
+        let half = Scaled::of(half_sum(light, &self.viewer));
+        // The cosine times the half sum's length, which the second scale takes off.
+        let part = (self.normal.along(&half.vector) * self.normal.scale) >> 16;
+        self.add_power((part * half.scale) >> 15, level, sum);
+    }
+
+    #[inline(always)]
+    fn add_power(&self, cosine: u32, level: i32, sum: &mut Levels) {
         if let Some(below) = self.gloss.below_one(cosine) {
             sum.specular += at_most::<16>((self.gloss.power(below) * level) >> 13);
         }
@@ -155,7 +167,12 @@ impl<'a, V: Viewpoint> Spot<'a, V> {
 
 /// The direction halfway between two of length one, in Q15; zero if they are opposite.
 #[inline(always)]
-pub(in crate::shade) fn half([a, b, c]: &[i32; 3], [d, e, f]: &[i32; 3]) -> [i32; 3] {
-    // Half their sum, so that the length stays below 2^16.
-    unit_q15([a + d, b + e, c + f].map(|sum| sum - (sum >> 1)))
+pub(in crate::shade) fn half(a: &[i32; 3], b: &[i32; 3]) -> [i32; 3] {
+    unit_q15(half_sum(a, b))
+}
+
+/// Of a length of up to 2^15.
+#[inline(always)]
+fn half_sum([a, b, c]: &[i32; 3], [d, e, f]: &[i32; 3]) -> [i32; 3] {
+    [a + d, b + e, c + f].map(|sum| sum - (sum >> 1))
 }
