@@ -6,6 +6,7 @@ use embedded_graphics_core::pixelcolor::{
 };
 
 use super::{Alpha, Rgb332};
+use crate::numbers::IS_NARROW;
 
 /// A colour that can be put over another one: all of embedded-graphics but `BinaryColor`,
 /// [`Rgb332`] and [`Rgb565Be`](crate::output::Rgb565Be).
@@ -138,8 +139,11 @@ by_luma!(Gray2: 2, Gray4: 4, Gray8: 8);
 
 /// A word of three channels: five bits, `MIDDLE`, and five.
 ///
-/// The two outer ones are spread over a word of 32 bits, with 11 bits of room above each for a
-/// product with an alpha.
+/// The two outer ones are spread over a word of 32 bits, from bit 0 and from bit 16 on, with 11 bits
+/// of room above each for a product with an alpha. Products have eight bits more, and are cut off
+/// where they are joined.
+// codegen: the colour's lower channel is the upper one where shifts are part of other instructions.
+// It saves 4 instructions a pixel of `sphere-over` on the Cortex-M4, and costs 3 on the M0+.
 struct Word<const MIDDLE: u32>;
 
 impl<const MIDDLE: u32> Word<MIDDLE> {
@@ -151,7 +155,12 @@ impl<const MIDDLE: u32> Word<MIDDLE> {
 
     #[inline(always)]
     const fn outer(bits: u16) -> u32 {
-        (bits as u32 | (bits as u32) << Self::SPREAD) & Self::OUTER
+        let bits = bits as u32;
+        if IS_NARROW {
+            (bits | bits << Self::SPREAD) & Self::OUTER
+        } else {
+            (bits & 0x1F) << 16 | bits << (16 + Self::SPREAD - 5) >> 27
+        }
     }
 
     #[inline(always)]
@@ -159,9 +168,17 @@ impl<const MIDDLE: u32> Word<MIDDLE> {
         (bits >> 5) as u32 & Channel::<MIDDLE>::MOST
     }
 
+    /// From products times 256. What is below 256 is left out.
     #[inline(always)]
     const fn joined(outer: u32, middle: u32) -> u16 {
-        (outer | outer >> Self::SPREAD | middle << 5) as u16
+        if IS_NARROW {
+            let outer = outer >> 8 & Self::OUTER;
+            (outer | outer >> Self::SPREAD | (middle >> 8) << 5) as u16
+        } else {
+            let (outer, middle) = (outer & Self::OUTER << 8, middle & Channel::<MIDDLE>::MOST << 8);
+            // The lower channel leaves the word where the upper one is moved to its place.
+            ((outer >> 8 | outer << (24 - Self::SPREAD) | middle << 13) >> 16) as u16
+        }
     }
 
     /// What the outer channels borrow from each other in the difference is given back with the
@@ -173,7 +190,7 @@ impl<const MIDDLE: u32> Word<MIDDLE> {
         let outer = (from << 8).wrapping_add(to.wrapping_sub(from).wrapping_mul(alpha));
         let (from, to) = (Self::middle(stored), Self::middle(new));
         let middle = (from << 8).wrapping_add(to.wrapping_sub(from).wrapping_mul(alpha));
-        Self::joined((outer + Self::HALVES) >> 8 & Self::OUTER, (middle + 128) >> 8)
+        Self::joined(outer.wrapping_add(Self::HALVES), middle + 128)
     }
 
     #[inline(always)]
@@ -183,10 +200,10 @@ impl<const MIDDLE: u32> Word<MIDDLE> {
         let sums = Self::outer(stored) + light;
         // The sixth bit of a sum sets the five below it.
         let carries = sums & Self::CARRIES;
-        let outer = (sums | (carries - (carries >> 5))) & Self::OUTER;
+        let outer = (sums | (carries - (carries >> 5))) << 8;
         let middle = Self::middle(stored) as u8;
         let middle = Channel::<MIDDLE>::add(middle, Self::middle(new) as u8, alpha);
-        Self::joined(outer, middle as u32)
+        Self::joined(outer, (middle as u32) << 8)
     }
 
     #[inline(always)]
