@@ -31,6 +31,13 @@ impl Alpha {
         if bits < Self::OPAQUE.0 { Self(bits) } else { Self::OPAQUE }
     }
 
+    /// Of units of 1/256, which are known to be at most 256.
+    #[inline(always)]
+    pub(crate) const fn of(bits: u16) -> Self {
+        debug_assert!(bits <= Self::OPAQUE.0, "an alpha is at most 256");
+        Self(bits)
+    }
+
     /// Of eight bits, 255 of which are opaque: 127 and below stand for themselves, 128 and above
     /// for one unit more, within 1/256 of the 255th.
     #[inline(always)]

@@ -139,11 +139,12 @@ by_luma!(Gray2: 2, Gray4: 4, Gray8: 8);
 
 /// A word of three channels: five bits, `MIDDLE`, and five.
 ///
-/// The two outer ones are spread over a word of 32 bits, from bit 0 and from bit 16 on, with 11 bits
-/// of room above each for a product with an alpha. Products have eight bits more, and are cut off
-/// where they are joined.
-// codegen: the colour's lower channel is the upper one where shifts are part of other instructions.
-// It saves 4 instructions a pixel of `sphere-over` on the Cortex-M4, and costs 3 on the M0+.
+/// The two outer ones are spread over a word of 32 bits, from bit 0 and from bit 16 on, with 11
+/// bits of room above each for a product with an alpha. Products have eight bits more, and are cut
+/// off where they are joined.
+// codegen: the colour's lower channel is the upper one where shifts are part of other
+// instructions. It saves 4 instructions a pixel of `sphere-over` on the Cortex-M4, and would cost 3
+// on the M0+.
 struct Word<const MIDDLE: u32>;
 
 impl<const MIDDLE: u32> Word<MIDDLE> {

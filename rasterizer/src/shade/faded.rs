@@ -115,7 +115,8 @@ impl<Sh: Shader, F: Fn(&MeshVertex<'_>) -> Alpha + Clone> Shader for Faded<Sh, F
 #[inline(always)]
 const fn at(varying: U16F16) -> Alpha {
     const DROP: u32 = 16 + SPARE_BITS;
-    Alpha::from_bits(((varying.to_bits() + (1 << (DROP - 1))) >> DROP) as u16)
+    // What interpolation is off is far below half a unit.
+    Alpha::of(((varying.to_bits() + (1 << (DROP - 1))) >> DROP) as u16)
 }
 
 /// A pixel of [`Faded`].

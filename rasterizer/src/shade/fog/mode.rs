@@ -87,7 +87,7 @@ const HALF: u32 = 32;
 /// From 2^-14, with half a step, to steps.
 #[inline(always)]
 const fn alpha(amount_and_half: u32) -> Alpha {
-    Alpha::from_bits((amount_and_half >> 6) as u16)
+    Alpha::of((amount_and_half >> 6) as u16)
 }
 
 impl FogMode for AtPixels {
