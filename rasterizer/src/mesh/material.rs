@@ -4,19 +4,19 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{Finish, Material, Tables};
 
-/// A material of a mesh. Each method reads its table when it is called.
+/// A material of a mesh.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshMaterial<'a> {
     tables: &'a Tables<'a>,
     index: usize,
-    /// In place of the table's.
-    color: Option<Rgb888>,
+    color: Rgb888,
 }
 
 impl<'a> MeshMaterial<'a> {
+    /// A material of these tables and its place in theirs.
     #[inline(always)]
-    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { tables, index, color: None }
+    pub(crate) const fn new(tables: &'a Tables<'a>, (index, material): (usize, &Material)) -> Self {
+        Self { tables, index, color: material.rgb() }
     }
 
     /// Its place in the table, from 0.
@@ -28,16 +28,14 @@ impl<'a> MeshMaterial<'a> {
     /// Its colour.
     #[inline(always)]
     #[must_use]
-    pub fn rgb(&self) -> Rgb888 {
-        let of_table =
-            || self.tables.materials.get(self.index).map(Material::rgb).unwrap_or_default();
-        self.color.unwrap_or_else(of_table)
+    pub const fn rgb(&self) -> Rgb888 {
+        self.color
     }
 
     /// The same material in another colour.
     #[must_use]
     pub const fn recolored(self, color: Rgb888) -> Self {
-        Self { color: Some(color), ..self }
+        Self { color, ..self }
     }
 
     /// Its highlights, its own light and its opacity: [`Finish::MATTE`] if the mesh has none.

@@ -242,10 +242,13 @@ mod tests {
         }
         let finish = Finish::MATTE.with_specular([1, 2, 3], 4).with_emission([5, 6, 7]);
         let tables = Tables { finishes: &[finish.with_opacity(8)], ..TETRAHEDRON };
-        let material = MeshMaterial::new(&tables, 0);
+        let material = MeshMaterial::new(&tables, (0, &tables.materials[0]));
         assert_eq!(material.finish(), finish.with_opacity(8));
         assert_eq!(material.rgb(), Rgb888::new(255, 0, 0));
-        assert_eq!(MeshMaterial::new(&TETRAHEDRON, 0).finish(), Finish::MATTE);
+        assert_eq!(
+            MeshMaterial::new(&TETRAHEDRON, (0, &TETRAHEDRON.materials[0])).finish(),
+            Finish::MATTE
+        );
     }
 
     #[test]

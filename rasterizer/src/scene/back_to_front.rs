@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{
     geometry::Projection,
-    mesh::{MeshMaterial, Tables},
+    mesh::{Material, Tables},
     raster::Window,
     shade::{OnScreen, Shader},
 };
@@ -112,7 +112,7 @@ impl<'b> Sequence for BackToFront<'b> {
     fn for_each_run<E>(
         &self,
         tables: &Tables<'_>,
-        mut visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
+        mut visit: impl FnMut((usize, &Material), Range<usize>) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut rest = self.words;
         let mut first = 0;
@@ -120,7 +120,9 @@ impl<'b> Sequence for BackToFront<'b> {
             let (material, triangles) = material_of(tables, self.packing.number(word));
             let is_other = |&word: &u32| !triangles.contains(&self.packing.number(word));
             let count = rest.iter().position(is_other).unwrap_or(rest.len());
-            visit(MeshMaterial::new(tables, material), first..first + count)?;
+            if let Some(of_table) = tables.materials.get(material) {
+                visit((material, of_table), first..first + count)?;
+            }
             rest = rest.get(count..).unwrap_or_default();
             first += count;
         }

@@ -3,7 +3,7 @@
 use core::ops::Range;
 
 use crate::{
-    mesh::{MeshMaterial, Tables},
+    mesh::{Material, Tables},
     raster::Window,
 };
 
@@ -14,7 +14,7 @@ pub trait Order: Copy + Sequence {}
 mod private {
     use core::ops::Range;
 
-    use super::{MeshMaterial, Tables, Window, for_each_material};
+    use super::{Material, Tables, Window, for_each_material};
 
     /// A sequence of triangles.
     pub trait Sequence {
@@ -28,13 +28,13 @@ mod private {
         /// The part that may reach a window of the viewport.
         fn reach(&self, window: &Window, viewport: &Window) -> Self::Reach;
 
-        /// Visits the runs of triangles of one material, with the triangles' places in the
-        /// sequence.
+        /// Visits the runs of triangles of one material, with its place in the table and the
+        /// triangles' places in the sequence.
         #[inline(always)]
         fn for_each_run<E>(
             &self,
             tables: &Tables<'_>,
-            visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
+            visit: impl FnMut((usize, &Material), Range<usize>) -> Result<(), E>,
         ) -> Result<(), E> {
             for_each_material(tables, visit)
         }
@@ -69,12 +69,12 @@ impl Sequence for MeshOrder {
 #[inline(always)]
 fn for_each_material<E>(
     tables: &Tables<'_>,
-    mut visit: impl FnMut(MeshMaterial<'_>, Range<usize>) -> Result<(), E>,
+    mut visit: impl FnMut((usize, &Material), Range<usize>) -> Result<(), E>,
 ) -> Result<(), E> {
     let mut first = 0;
     for (index, material) in tables.materials.iter().enumerate() {
         let end = first + material.triangle_count as usize;
-        visit(MeshMaterial::new(tables, index), first..end)?;
+        visit((index, material), first..end)?;
         first = end;
     }
     Ok(())

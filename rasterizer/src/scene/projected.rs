@@ -13,7 +13,7 @@ use crate::{
     attribute::DepthFormat,
     camera::Camera,
     geometry::{Projection, ScreenVertex},
-    mesh::MeshFace,
+    mesh::{MeshFace, MeshMaterial},
     numbers::Subpixel,
     output::{Blending, Readable, Target},
     raster::{DepthBias as _, Gradients, Triangle},
@@ -112,7 +112,8 @@ where
                 };
                 let triangle = Triangle::with_area(corners, area);
                 let face = MeshFace::new(seen.tables, index);
-                let blending = seen.mode.blending().of_material(&material);
+                let of_mesh = MeshMaterial::new(seen.tables, material);
+                let blending = seen.mode.blending().of_material(&of_mesh);
                 match seen.shader.face(surface, &face, &Gradients::of(&triangle)) {
                     Face::Solid(color) => blending.fill(target, &triangle, &window, color),
                     Face::Shaded(face) => {

@@ -12,7 +12,7 @@ use crate::{
         ClipVertex, Clipping, Culling, MAX_CORNERS, ObjectView, PoseError, Projection,
         ScreenVertex, Transform, clip,
     },
-    mesh::{MeshMaterial, MeshVertex, Tables},
+    mesh::{Material, MeshMaterial, MeshVertex, Tables},
     numbers::{Subpixel, codegen},
     raster::{Window, first_center, signed_area},
     shade::{OnScreen, Shader},
@@ -94,10 +94,11 @@ impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     }
 
     /// Builds a material's surface in place.
-    // codegen: not inlined, so that its temporaries leave the stack before triangles are drawn.
+    // codegen: not inlined, so that its temporaries leave the stack before triangles are drawn. It
+    // gets the material in two registers: a `MeshMaterial` would be passed in memory.
     #[inline(never)]
-    pub(super) fn prepare(&self, material: MeshMaterial<'_>, surface: &mut Option<Sh::Surface>) {
-        *surface = Some(self.shader.surface(&material));
+    pub(super) fn prepare(&self, material: (usize, &Material), surface: &mut Option<Sh::Surface>) {
+        *surface = Some(self.shader.surface(&MeshMaterial::new(self.tables, material)));
     }
 }
 

@@ -85,7 +85,10 @@ mod tests {
         let materials = [Material::new([200, 90, 0], 1)];
         let tables = Tables { materials: &materials, ..Tables::EMPTY };
         let finish = Finish::MATTE.with_specular([255, 40, 7], 9).with_emission([0, 100, 255]);
-        let finished = Finished::<Rgb888, 256>::new(&MeshMaterial::new(&tables, 0), &finish);
+        let finished = Finished::<Rgb888, 256>::new(
+            &MeshMaterial::new(&tables, (0, &tables.materials[0])),
+            &finish,
+        );
         for diffuse in (0..=65_536u32).step_by(511) {
             for specular in (0..=65_536u32).step_by(409) {
                 let [d, s] = [diffuse, specular].map(|level| f64::from(level) / 65_536.0);

@@ -82,6 +82,7 @@ impl<C: Copy + From<Rgb888>, L: Lighting> Shader for Flat<C, L> {
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..RequiredTables::NONE };
 
+    #[inline(always)]
     fn for_object(&self, view: &ObjectView<'_>) -> Self {
         Self(self.0.for_object(view))
     }

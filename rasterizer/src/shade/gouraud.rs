@@ -48,6 +48,7 @@ impl<C: Copy + From<Rgb888>, const LEVELS: usize, L: Lighting> Shader for Gourau
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 
+    #[inline(always)]
     fn for_object(&self, view: &ObjectView<'_>) -> Self {
         Self(self.0.for_object(view))
     }

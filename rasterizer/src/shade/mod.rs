@@ -107,6 +107,7 @@ pub trait Shader: Clone {
 
     /// Returns the shader for an object as a camera sees it, with its directions in object space.
     /// Called once per projected object.
+    #[inline(always)]
     #[must_use]
     fn for_object(&self, _view: &ObjectView<'_>) -> Self {
         self.clone()

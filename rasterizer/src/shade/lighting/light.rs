@@ -104,6 +104,7 @@ impl Illuminate for Light {
     const NO_BEAMS: Beam =
         Beam { toward: [0; 3], factors: [0; 3], half: [0; 3], ambient: 0, level: 0 };
 
+    #[inline(always)]
     fn for_view(&self, view: &ObjectView<'_>) -> Self {
         self.for_object(view.pose())
     }

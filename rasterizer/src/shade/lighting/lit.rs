@@ -22,6 +22,8 @@ impl<C, L> Lit<C, L> {
 }
 
 impl<C, L: Lighting> Lit<C, L> {
+    // codegen: inlined, so that nobody builds the parts of the view that no light reads.
+    #[inline(always)]
     pub(in crate::shade) fn for_object(&self, view: &ObjectView<'_>) -> Self {
         Self::by(self.light.for_view(view))
     }
