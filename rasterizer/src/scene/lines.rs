@@ -6,7 +6,7 @@ use super::{Mode, Projected, Vertices, seen::Seen, vertices::Lookup as _};
 use crate::{
     attribute::DepthFormat,
     geometry::{Clipping, Projection, ScreenVertex, clip_line},
-    mesh::{Lines, MeshMaterial, MeshVertex},
+    mesh::{Lines, Material, MeshMaterial, MeshVertex},
     output::{Blending, Target},
     raster::{Fragment, Line},
     shade::{OnScreen, Sample, Shader},
@@ -84,7 +84,7 @@ where
         M::Blending: Blending<T>,
     {
         let window = target.window().intersection(&self.seen.viewport);
-        let blending = self.seen.mode.blending().of_material(&self.material());
+        let blending = self.seen.mode.blending().of_material(&self.mesh_material());
         self.for_each_on_screen(|ends| {
             let ends: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 2] =
                 ends.map(|end| ScreenVertex::new(end.x, end.y, end.depth, []));
@@ -107,7 +107,7 @@ where
         Sh: Shader<Face = ()>,
     {
         let window = target.window().intersection(&self.seen.viewport);
-        let blending = self.seen.mode.blending().of_material(&self.material());
+        let blending = self.seen.mode.blending().of_material(&self.mesh_material());
         let mut surface = None;
         self.seen.prepare(self.material(), &mut surface);
         let Some(surface) = &surface else { return Ok(()) };
@@ -119,8 +119,14 @@ where
         })
     }
 
-    const fn material(&self) -> MeshMaterial<'_> {
-        MeshMaterial::new(self.seen.tables, self.material)
+    /// The material and its place; a black one if the mesh has none there.
+    fn material(&self) -> (usize, &Material) {
+        const BLACK: Material = Material::new([0; 3], 0);
+        (self.material, self.seen.tables.materials.get(self.material).unwrap_or(&BLACK))
+    }
+
+    fn mesh_material(&self) -> MeshMaterial<'_> {
+        MeshMaterial::new(self.seen.tables, self.material())
     }
 
     /// Visits the ends of the lines, or of the parts of them that are left after clipping.
