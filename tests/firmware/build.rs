@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     ];
     for (name, obj) in bodies {
         fs::write(out.join(name), obj)?;
-        let edges_degrees = (name == "ball.obj").then_some(0.0);
+        let edges_degrees = ["ball.obj", "sphere.obj"].contains(&name).then_some(0.0);
         convert_for_build(out.join(name), &Options { edges_degrees, ..options.clone() })?;
     }
     textures::cube(&out, &options)?;

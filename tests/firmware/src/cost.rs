@@ -12,6 +12,7 @@ use rasterizer::{
     camera::{Camera, Perspective},
     color::Rgb332,
     geometry::ScreenVertex,
+    mesh::Lines,
     numbers::Subpixel,
     output::{
         BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target,
@@ -277,6 +278,37 @@ impl<const SET_UP: bool> Cost<SET_UP> {
             }
             None => self.draw_bands(&seen, areas, memory),
         }
+    }
+
+    /// Adds a whole frame of an object's lines in white, of all or of those that it does not hide.
+    pub fn add_lines<S: Subpixel, D: Depth, Sh, M, const PIXELS: usize>(
+        &mut self,
+        object: &Object<'_, Sh, M>,
+        camera: &Camera,
+        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+        (lines, are_hidden): (&Lines<'_>, bool),
+        memory: &mut Memory<PIXELS>,
+    ) where
+        Sh: Shader<Color = Rgb565Be>,
+        M: Mode<Blending: OnTargets<D>>,
+    {
+        let white = Rgb565Be::new(31, 63, 31);
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        let area = camera.viewport();
+        let pixels = (area.size.width * area.size.height) as usize;
+        let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
+        color.fill(self.background);
+        let mut frame = D::frame(color, depth, area);
+        timed(Stage::Clear, &mut self.clear, || frame.clear_depth());
+        let Ok(()) = timed(Stage::Draw, &mut self.draw, || {
+            if are_hidden {
+                seen.draw_depth(&mut frame)?;
+            }
+            seen.lines(lines).fill(white, &mut frame)
+        });
+        self.pixels_drawn += frame.pixels().iter().filter(|&&pixel| pixel == white).count() as u64;
     }
 
     /// Sorts the triangles into `bins`, if there are any, and draws the bands.

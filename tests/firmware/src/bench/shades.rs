@@ -4,6 +4,7 @@ mod blend;
 mod color;
 mod fog;
 mod light;
+mod lines;
 
 pub(crate) use light::LAMP;
 use rasterizer::{
@@ -34,6 +35,7 @@ pub fn main<const SET_UP: bool>() {
         scenes.light();
         scenes.colors();
         scenes.fog();
+        scenes.lines();
     });
 }
 

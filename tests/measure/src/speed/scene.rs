@@ -170,7 +170,15 @@ nearest texels are shown, corrected within half a texel, with depth. *every-16* 
 16 pixels; *trilinear* has its mip level from the triangle, *trilinear-pixel* from the pixel;
 *shaded* texels have a palette for each level of light. Black texels are not *drawn* pixels. Written
 by hand the pixels of cube-texture would take 16.5 instructions each on the Cortex-M0+ and 13 on the
-Cortex-M4; the whole frame with depth about 21.5 and 16.5 a pixel.";
+Cortex-M4; the whole frame with depth about 21.5 and 16.5 a pixel.
+
+The sphere in other ways is compared with *sphere-gouraud*: *over*, *add*, *multiply* and *screen*
+blend it with a grey, by one alpha, by that of the material, of vertices (*over-vertex*) or of
+texels; *back-to-front* sorts its triangles and draws both sides without depth. *phong* has a
+highlight from a viewer far away, unless it is *matte*; *lamp* is a light at a point. *fog* is
+exponential, at each pixel or at each *vertex*. *dither* is that of 8 x 8 thresholds, and *pages*
+are those of an OLED. *lines* are the edges of its faces, and *drawn* counts their pixels: with
+*hidden* those that the sphere does not hide, after its depth has been drawn.";
 
     fn parse(outputs: &[Output]) -> Result<Self> {
         let mut scenes = Vec::new();
