@@ -149,16 +149,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             write!(text, "{textures}")?;
         }
         let name = &model.name;
-        let statics: Vec<String> = [
-            Some(name.clone()),
-            (!model.edges.is_empty()).then(|| format!("{name}_EDGES")),
-            model.textures.as_ref().map(|_| format!("{name}_TEXTURES")),
-        ]
-        .into_iter()
-        .flatten()
-        .collect();
-        let word = if statics.len() == 1 { "static" } else { "statics" };
-        writeln!(text, "\nWrote {}: {word} {}", path.display(), statics.join(", "))?;
+        let statics = match (model.edges.is_empty(), model.textures.is_none()) {
+            (true, true) => format!("static {name}"),
+            (true, false) => format!("statics {name} and {name}_TEXTURES"),
+            (false, true) => format!("statics {name} and {name}_EDGES"),
+            (false, false) => format!("statics {name}, {name}_EDGES and {name}_TEXTURES"),
+        };
+        writeln!(text, "\nWrote {}: {statics}", path.display())?;
         text
     };
     Ok(text.into())

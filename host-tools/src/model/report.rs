@@ -146,7 +146,7 @@ impl fmt::Display for Report {
             self.cache_misses, self.cache_misses_before
         )?;
         writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
-        const RARE: [&str; 3] = ["vertex_colors", "finishes", "textures"];
+        const RARE: [&str; 4] = ["vertex_colors", "edges", "finishes", "textures"];
         let is_shown = |&(name, bytes): &(&str, usize)| !RARE.contains(&name) || bytes > 0;
         for (name, bytes) in self.flash.tables().into_iter().filter(is_shown) {
             writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;

@@ -126,12 +126,21 @@ fn time_grows_with_the_size_and_not_with_its_square() {
         let contents =
             Contents { vertex_normals: name != "cone of face normals", ..Contents::default() };
         let options = Options { contents, ..Options::default() };
-        let least = |n: usize| {
-            let text = make(n);
-            (0..3).map(|_| duration(directory.path(), &text, &options)).min().unwrap()
-        };
-        let (short, long) = (least(n), least(4 * n));
-        let ratio = long.as_secs_f64() / short.as_secs_f64();
+        // Other programs lengthen a run by their use of caches: the shortest ones count, of as
+        // many as it takes.
+        let texts = [make(n), make(4 * n)];
+        let mut least = [Duration::MAX; 2];
+        let mut ratio = f64::INFINITY;
+        for _ in 0..30 {
+            for (least, text) in least.iter_mut().zip(&texts) {
+                *least = duration(directory.path(), text, &options).min(*least);
+            }
+            ratio = least[1].as_secs_f64() / least[0].as_secs_f64();
+            if ratio < most {
+                break;
+            }
+        }
+        let [short, long] = least;
         println!("{name}: {short:.1?} for {n}, {long:.1?} for four times as many: {ratio:.1}");
         assert!(ratio < most, "{name}: {short:?} for {n} corners, {long:?} for four times as many");
     }
