@@ -64,12 +64,12 @@ impl<'v, S: Subpixel, D: DepthFormat, V: Interpolate> Line<'v, S, D, V> {
     }
 
     /// Depth and varyings along the line, or those of its start.
-    fn fields(&self, axis: usize, layout: Layout, is_start: bool) -> (D::Field, V::Field) {
+    fn fields(&self, is_steep: bool, layout: Layout, is_start: bool) -> (D::Field, V::Field) {
         let [from, to] = self.ends;
         let (dx, dy) = (to.x - from.x, to.y - from.y);
         // On the end's side, so that the triangle is no larger than a square over the line.
         let aside = |along: i32, toward: i32| if toward < 0 { -along.abs() } else { along.abs() };
-        let aside = if axis == 0 { [0, aside(dx, dy)] } else { [aside(dy, dx), 0] };
+        let aside = if is_steep { [aside(dy, dx), 0] } else { [0, aside(dx, dy)] };
         let values = if is_start { from } else { to };
         let corner = ScreenVertex::new(to.x, to.y, values.depth, values.varyings);
         let third =
@@ -100,7 +100,7 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Line<'_, S, D, V
             }
             let (depth, varyings) = match &mut fields {
                 Some((of_start, fields)) if *of_start == is_start => fields,
-                _ => &mut fields.insert((is_start, self.fields(path.axis, layout, is_start))).1,
+                _ => &mut fields.insert((is_start, self.fields(path.is_steep, layout, is_start))).1,
             };
             let address = layout.row_address(row);
             let (start, end) = (address.wrapping_add(start), address.wrapping_add(end));
@@ -127,8 +127,8 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Line<'_, S, D, V
 /// The pixels of a line of one pixel in width.
 #[derive(Clone, Copy, Debug)]
 struct Path {
-    /// The longer axis: 0 for x, 1 for y.
-    axis: usize,
+    /// Whether it is higher than wide: the axis that it runs along is y, not x.
+    is_steep: bool,
     /// Start and end in sub-pixels, exchanged if the line runs backwards along the axis.
     ends: [[i32; 2]; 2],
     /// The pixels along the axis whose centres the line crosses and that it owns.
@@ -143,20 +143,21 @@ impl Path {
     fn new<S: Subpixel>(ends: [[i32; 2]; 2], width: i32) -> Option<Self> {
         let half = 1 << (S::BITS - 1);
         let [from, to] = ends;
-        let axis = usize::from((to[0] - from[0]).abs() < (to[1] - from[1]).abs());
+        let is_steep = (to[0] - from[0]).abs() < (to[1] - from[1]).abs();
         // The pixels of a wide line are repeated towards larger coordinates.
-        let [from, to] = ends.map(|mut end| {
-            end[1 - axis] -= (width - 1) * half;
-            end
+        let [from, to] = ends.map(|end| {
+            let [along, aside] = turned(end, is_steep);
+            turned([along, aside - (width - 1) * half], is_steep)
         });
+        let along = |place: [i32; 2]| turned(place, is_steep)[0];
         let [start_pixel, last_pixel] = [from, to].map(diamond::<S>);
-        if from[axis] == to[axis] || (start_pixel.is_some() && start_pixel == last_pixel) {
+        if along(from) == along(to) || (start_pixel.is_some() && start_pixel == last_pixel) {
             return None;
         }
-        let is_forward = from[axis] < to[axis];
+        let is_forward = along(from) < along(to);
         let ends = if is_forward { [from, to] } else { [to, from] };
-        let [mut first_pixel, mut end_pixel] = ends.map(|end| first_center::<S>(end[axis]));
-        let crosses = |pixel: [i32; 2]| first_pixel <= pixel[axis] && pixel[axis] < end_pixel;
+        let [mut first_pixel, mut end_pixel] = ends.map(|end| first_center::<S>(along(end)));
+        let crosses = |pixel: [i32; 2]| first_pixel <= along(pixel) && along(pixel) < end_pixel;
         let first = start_pixel.filter(|pixel| !crosses(*pixel));
         if last_pixel.is_some_and(crosses) {
             if is_forward {
@@ -165,7 +166,7 @@ impl Path {
                 first_pixel += 1;
             }
         }
-        Some(Self { axis, ends, first_pixel, end_pixel, first })
+        Some(Self { is_steep, ends, first_pixel, end_pixel, first })
     }
 
     /// Visits runs of pixels in a row whose centres the line crosses.
@@ -176,9 +177,9 @@ impl Path {
         mut visit: impl FnMut(i32, Range<i32>) -> Result<(), E>,
     ) -> Result<(), E> {
         let half = 1 << (S::BITS - 1);
-        let Self { axis, ends: [low, high], .. } = *self;
+        let Self { is_steep, ends: [low, high], .. } = *self;
         let sides =
-            if axis == 0 { [window.left, window.right] } else { [window.top, window.bottom] };
+            if is_steep { [window.top, window.bottom] } else { [window.left, window.right] };
         let (mut pixel, end) = (self.first_pixel.max(sides[0]), self.end_pixel.min(sides[1]));
         let rows = [low[1].min(high[1]), low[1].max(high[1])].map(|y| y >> S::BITS);
         if pixel >= end || rows[0] > window.bottom || rows[1] + width < window.top - 1 {
@@ -186,31 +187,31 @@ impl Path {
         }
         // A falling line as its mirror image, where a centre half a pixel away is on the same side
         // as with a rising one: pixel n is -1 - n there.
-        let is_mirrored = axis == 0 && high[1] > low[1];
+        let is_mirrored = !is_steep && high[1] > low[1];
         let place = |end: [i32; 2]| {
-            let minor = if is_mirrored { -end[1 - axis] } else { end[1 - axis] };
-            [minor - half, end[axis]]
+            let [along, aside] = turned(end, is_steep);
+            [if is_mirrored { -aside } else { aside } - half, along]
         };
         let mut edge =
             Edge::new::<S>(place(low), place(high), pixel, &Layout { pitch: 0, origin: 0 });
-        let minor = |edge: &Edge| if is_mirrored { !edge.boundary } else { edge.boundary };
-        if axis == 1 {
+        let aside = |edge: &Edge| if is_mirrored { !edge.boundary } else { edge.boundary };
+        if is_steep {
             while pixel < end {
-                let column = minor(&edge);
+                let column = aside(&edge);
                 visit(pixel, column..column + 1)?;
                 edge.step();
                 pixel += 1;
             }
             return Ok(());
         }
-        let (mut start, mut row) = (pixel, minor(&edge));
+        let (mut start, mut row) = (pixel, aside(&edge));
         loop {
             edge.step();
             pixel += 1;
             if pixel >= end {
                 return visit(row, start..end);
             }
-            let next = minor(&edge);
+            let next = aside(&edge);
             if next != row {
                 visit(row, start..pixel)?;
                 (start, row) = (pixel, next);
@@ -226,11 +227,17 @@ impl Path {
         columns: Range<i32>,
         mut visit: impl FnMut(i32, Range<i32>) -> Result<(), E>,
     ) -> Result<(), E> {
-        if self.axis == 1 {
+        if self.is_steep {
             return visit(row, columns.start..columns.end - 1 + width);
         }
         (row..row + width).try_for_each(|row| visit(row, columns.clone()))
     }
+}
+
+/// The coordinates along the axis that a line runs along and aside from it, of x and y, or the other
+/// way round.
+const fn turned([x, y]: [i32; 2], is_steep: bool) -> [i32; 2] {
+    if is_steep { [y, x] } else { [x, y] }
 }
 
 /// The pixel in whose diamond a place lies, moved by (-e, -e^2).
@@ -238,7 +245,8 @@ fn diamond<S: Subpixel>(place: [i32; 2]) -> Option<[i32; 2]> {
     let half = 1 << (S::BITS - 1);
     // On the border between two pixels, that with the lesser number.
     let pixel = place.map(|c| (c - 1) >> S::BITS);
-    let [x, y] = [0, 1].map(|axis| place[axis] - (pixel[axis] << S::BITS) - half);
+    let from_center = |place: i32, pixel: i32| place - (pixel << S::BITS) - half;
+    let (x, y) = (from_center(place[0], pixel[0]), from_center(place[1], pixel[1]));
     // On the border of a diamond, its right half: those points are moved inwards.
     (x.abs() + y.abs() < half + i32::from(x > 0)).then_some(pixel)
 }

@@ -40,14 +40,12 @@ impl Colors {
     /// At levels in Q16, 0 to 65,536.
     #[inline(always)]
     fn at(&self, diffuse: u32, specular: u32) -> Rgb888 {
-        let [red, green, blue] = core::array::from_fn(|i| {
-            // Below 2^26.
-            let sum = self.diffuse[i] * diffuse as i32
-                + self.specular[i] * specular as i32
-                + self.emission[i];
-            at_most::<8>(sum >> 16) as u8
-        });
-        Rgb888::new(red, green, blue)
+        let ([r, g, b], [rs, gs, bs], [re, ge, be]) = (self.diffuse, self.specular, self.emission);
+        // Below 2^26.
+        let channel = |own: i32, glossy: i32, emission: i32| {
+            at_most::<8>((own * diffuse as i32 + glossy * specular as i32 + emission) >> 16) as u8
+        };
+        Rgb888::new(channel(r, rs, re), channel(g, gs, ge), channel(b, bs, be))
     }
 }
 
