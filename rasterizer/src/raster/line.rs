@@ -234,8 +234,7 @@ impl Path {
     }
 }
 
-/// The coordinates along the axis that a line runs along and aside from it, of x and y, or the other
-/// way round.
+/// The coordinates along a line's axis and aside from it, of x and y, or the other way round.
 const fn turned([x, y]: [i32; 2], is_steep: bool) -> [i32; 2] {
     if is_steep { [y, x] } else { [x, y] }
 }
