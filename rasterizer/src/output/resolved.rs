@@ -8,10 +8,10 @@ use embedded_graphics_core::{
 };
 
 use super::{
-    BandPixels, Bands, DepthBuffer, Frame, FrameError, Rows, StoredDepth, band_pixels::Memory,
-    frame::Packed,
+    BandPixels, Bands, DepthBuffer, Frame, FrameError, Rows, StoredDepth, Unpacked,
+    band_pixels::Memory, frame::Packed,
 };
-use crate::{color::Mean, numbers::divide};
+use crate::color::Mean;
 
 /// `N` by `N` samples a pixel, 2 or 4: a display is drawn in `N` times its width and height, and
 /// each of its pixels is the mean of a square of them (a box filter), in the values that are
@@ -131,24 +131,22 @@ impl<C: Mean + Copy + 'static, const N: usize> Memory<C> for Supersampled<N> {
     type Frame<'f, B: DepthBuffer> = Frame<'f, C, B, Packed>;
 
     #[inline(always)]
-    fn units(Size { width, height }: Size) -> usize {
-        width as usize * height as usize
+    fn units(size: Size) -> usize {
+        <Unpacked as Memory<C>>::units(size)
     }
 
     #[inline(always)]
     fn rows(units: usize, width: u32) -> u32 {
-        divide(units as u32, width)
+        <Unpacked as Memory<C>>::rows(units, width)
     }
 
     fn too_short(needed: usize) -> FrameError {
-        FrameError::ColorLength { needed }
+        <Unpacked as Memory<C>>::too_short(needed)
     }
 
     #[inline(always)]
     fn frame<B: DepthBuffer>(memory: &mut [C], depth: B, area: Rectangle) -> Frame<'_, C, B> {
-        let mut frame = Frame::part(memory, depth, area);
-        frame.clear_depth();
-        frame
+        <Unpacked as Memory<C>>::frame(memory, depth, area)
     }
 
     #[inline(always)]
