@@ -10,11 +10,7 @@ pub mod rocket;
 
 use common::{Result, SCREEN, Screen, camera};
 use embedded_graphics::pixelcolor::Rgb565;
-use rasterizer::{
-    fixed::types::{I0F32, I8F8},
-    prelude::*,
-    raster::Bias,
-};
+use rasterizer::{prelude::*, raster::Bias};
 use rocket::{ROCKET, ROCKET_EDGES};
 use static_cell::ConstStaticCell;
 
@@ -22,10 +18,6 @@ const NIGHT: Rgb565 = Rgb565::new(1, 5, 5);
 const GREEN: Rgb565 = Rgb565::new(6, 60, 12);
 const DARK: Rgb565 = Rgb565::new(3, 6, 5);
 const LIGHT: Light = Light::new(Vec3::lit("-3", "2", "3"), Level::lit("0.2"), Level::lit("0.8"));
-
-/// Moves surfaces behind the lines that lie in them: by a slope, as a line's pixels are up to half
-/// a pixel away from it, and by two units of depth for rounding.
-const BEHIND: Bias = Bias { slope: I8F8::lit("-1"), constant: I0F32::from_bits(-2 << 16) };
 
 static COLOR: ConstStaticCell<[Rgb565; 240 * 240]> = ConstStaticCell::new([NIGHT; 240 * 240]);
 static DEPTH: ConstStaticCell<[u16; 240 * 240]> = ConstStaticCell::new([0; 240 * 240]);
@@ -38,7 +30,7 @@ pub(crate) fn draw(screen: &mut Screen) -> Result {
             .at(Vec3::new(x, Default::default(), Default::default()))
             .scaled(const { Distance::lit("0.72") })
     };
-    let rocket = Object::new(&ROCKET, Gouraud::new(LIGHT)).biased(BEHIND);
+    let rocket = Object::new(&ROCKET, Gouraud::new(LIGHT)).biased(Bias::BEHIND_LINES);
     let mut vertices = [ScreenVertex::<S4, _, _>::EMPTY; ROCKET.vertex_count()];
     let mut frame = Frame::new(COLOR.take(), DEPTH.take(), SCREEN)?;
 

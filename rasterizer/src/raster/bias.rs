@@ -47,13 +47,12 @@ impl DepthBias for NoBias {
 }
 
 /// Depth is moved by `constant + slope m`, where m is the change of the triangle's depth from a
-/// pixel to its neighbour in x or y, whichever is more (Direct3D 11 functional specification
-/// 15.10). Positive is nearer.
+/// pixel to its neighbour in x or y, whichever is more (Direct3D 11, "Depth Bias"). Positive is
+/// nearer.
 ///
 /// A surface that lies in another one, such as a decal or the lines of a wireframe, has the depth
 /// of that surface but for rounding: a constant of a few units of the depth format decides which of
-/// them is seen. Pixels of a line are up to half a pixel away from it, where a surface that it lies
-/// in is nearer by half a slope: move that surface by a slope of -1/2 or -1.
+/// them is seen. [`BEHIND_LINES`](Self::BEHIND_LINES) is for surfaces with lines in them.
 ///
 /// Depth is near / w from 0 to 1. It stays in that range: corners that would leave it lie on its
 /// end. Two divisions a triangle.
@@ -63,6 +62,14 @@ pub struct Bias {
     pub slope: I8F8,
     /// In depth, in Q0.32: 2<sup>-16</sup> is a unit of the format `u16`.
     pub constant: I0F32,
+}
+
+impl Bias {
+    /// For a surface whose lines are drawn over it: a slope farther away, as pixels of a line are
+    /// up to half a pixel away from it, where the surface may be nearer by half a slope; and two
+    /// units of the format `u16` for rounding.
+    pub const BEHIND_LINES: Self =
+        Self { slope: I8F8::NEG_ONE, constant: I0F32::from_bits(-2 << 16) };
 }
 
 impl DepthBias for Bias {

@@ -2,14 +2,8 @@
 
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use rasterizer::{
-    attribute::NoDepth,
-    fixed::types::{I0F32, I8F8},
-    geometry::ScreenVertex,
-    numbers::S4,
-    output::Direct,
-    raster::Bias,
-    scene::Object,
-    shade::Unlit,
+    attribute::NoDepth, geometry::ScreenVertex, numbers::S4, output::Direct, raster::Bias,
+    scene::Object, shade::Unlit,
 };
 
 use super::{
@@ -50,9 +44,9 @@ impl Scene for LinesHidden {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        const BEHIND: Bias = Bias { slope: I8F8::lit("-1"), constant: I0F32::from_bits(-2 << 16) };
         for_each_view(|view| {
-            let ball = Object::new(&BALL, Unlit::new()).posed(view.pose()).biased(BEHIND);
+            let ball =
+                Object::new(&BALL, Unlit::new()).posed(view.pose()).biased(Bias::BEHIND_LINES);
             memory.draw_lines(&BALL_EDGES, &ball, &camera(view, PERSPECTIVE, PICTURE)?, display)
         })
     }

@@ -1,12 +1,6 @@
 //! The sphere's edges as lines: all of them, and those that it does not hide.
 
-use rasterizer::{
-    attribute::NoDepth,
-    fixed::types::{I0F32, I8F8},
-    raster::Bias,
-    scene::Object,
-    shade::Unlit,
-};
+use rasterizer::{attribute::NoDepth, raster::Bias, scene::Object, shade::Unlit};
 
 use super::Scenes;
 use crate::{
@@ -22,8 +16,7 @@ impl<const SET_UP: bool> Scenes<'_, SET_UP> {
     }
 
     fn edges<D: Depth>(&mut self, name: &str, are_hidden: bool) {
-        const BEHIND: Bias = Bias { slope: I8F8::lit("-1"), constant: I0F32::from_bits(-2 << 16) };
-        let object = Object::new(&models::SPHERE, Unlit::new()).biased(BEHIND);
+        let object = Object::new(&models::SPHERE, Unlit::new()).biased(Bias::BEHIND_LINES);
         let (camera, mode) = (&self.camera, [name, SUITED, MODES[0].name]);
         self.bench.measure::<Suited, D, _, _>(
             mode,
