@@ -5,22 +5,22 @@ use embedded_graphics::{
     pixelcolor::{Rgb888, RgbColor},
     primitives::PointsIter as _,
 };
-use fixed::types::{I0F32, I8F8, U0F32};
+use fixed::types::U0F32;
 use host_tools::reference;
 use rasterizer::{
     attribute::NoDepth,
     camera::{Camera, Perspective},
     geometry::{CullNone, ScreenVertex},
-    mesh::{Lines, Mesh, Segments},
+    mesh::{Lines, Mesh, Segments, Tables},
     numbers::{S4, S8, Subpixel},
     output::{Bands, Direct, Frame},
     raster::Bias,
-    scene::Object,
+    scene::{Object, bin_words},
     shade::{Gouraud, Unlit},
 };
 use rasterizer_tests::{
     Counter, Picture,
-    bands::{BACKGROUND, DISPLAY, Position, at, ball, light},
+    bands::{BACKGROUND, DISPLAY, MATERIALS, Position, ROWS, at, ball, light},
 };
 
 fn camera(z: &str) -> Camera<Perspective> {
@@ -185,7 +185,7 @@ fn wireframe(z: &str) -> (Picture<Rgb888, u16>, Vec<[u16; 2]>) {
     let edges = edges(&mesh);
     let lines = Lines::new(&mesh, Segments::U16(&edges)).unwrap();
     let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
-    let object = Object::new(&mesh, Position).culled(CullNone).biased(BEHIND);
+    let object = Object::new(&mesh, Position).culled(CullNone).biased(Bias::BEHIND_LINES);
     let mut storage = vec![ScreenVertex::<S4, u16, _>::EMPTY; mesh.vertex_count()];
     let seen = object.project(&camera(z), &mut storage).unwrap();
     let mut frame = Frame::new(&mut picture.color, &mut picture.depth, DISPLAY).unwrap();
@@ -195,8 +195,6 @@ fn wireframe(z: &str) -> (Picture<Rgb888, u16>, Vec<[u16; 2]>) {
     (picture, edges)
 }
 
-const BEHIND: Bias = Bias { slope: I8F8::lit("-1"), constant: I0F32::from_bits(-2 << 16) };
-
 #[test]
 fn bands_join_without_a_seam() {
     for z in ["3", "1.2", "0.9", "0.18"] {
@@ -204,7 +202,7 @@ fn bands_join_without_a_seam() {
         let ball = ball();
         let mesh = ball.mesh();
         let lines = Lines::new(&mesh, Segments::U16(&edges)).unwrap();
-        let object = Object::new(&mesh, Position).culled(CullNone).biased(BEHIND);
+        let object = Object::new(&mesh, Position).culled(CullNone).biased(Bias::BEHIND_LINES);
         let mut storage = vec![ScreenVertex::<S4, u16, _>::EMPTY; mesh.vertex_count()];
         let seen = object.project(&camera(z), &mut storage).unwrap();
         for rows in [1, 7, 16] {
@@ -228,6 +226,30 @@ fn bands_join_without_a_seam() {
     }
 }
 
+/// Depth is the same in every order of the triangles.
+#[test]
+fn depth_alone_is_drawn_in_every_order() {
+    let ball = ball();
+    let mesh = Mesh::new(Tables { materials: &MATERIALS, ..*ball.mesh().tables() }).unwrap();
+    let object = Object::new(&mesh, Unlit::<Rgb888>::new());
+    let mut storage = vec![ScreenVertex::<S4, u16, _>::EMPTY; mesh.vertex_count()];
+    let seen = object.project(&camera("1.7"), &mut storage).unwrap();
+    fn depth(draw: impl FnOnce(&mut Frame<'_, Rgb888, &mut [u16]>)) -> Vec<u16> {
+        let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
+        draw(&mut Frame::new(&mut picture.color, &mut picture.depth, DISPLAY).unwrap());
+        assert!(picture.color.iter().all(|color| *color == BACKGROUND));
+        picture.depth
+    }
+    let expected = depth(|frame| seen.draw_depth(frame).unwrap());
+    assert!(expected.iter().filter(|depth| **depth > 0).count() > 500);
+    let mut words = vec![0; mesh.triangle_count()];
+    let sorted = seen.back_to_front(&mut words).unwrap();
+    assert!(depth(|frame| sorted.draw_depth(frame).unwrap()) == expected, "from back to front");
+    let mut words = vec![0; bin_words(mesh.triangle_count(), ROWS, 7)];
+    let binned = seen.binned(7, &mut words).unwrap();
+    assert!(depth(|frame| binned.draw_depth(frame).unwrap()) == expected, "in bins");
+}
+
 /// A closed convex body hides the edges on its far side, and none on its near side, but at its
 /// outline.
 #[test]
@@ -236,7 +258,7 @@ fn hidden_lines_are_those_behind_the_surface() {
     let mesh = ball.mesh();
     let camera = camera("3");
     let edges = edges(&mesh);
-    let object = Object::new(&mesh, Gouraud::<Rgb888>::new(light())).biased(BEHIND);
+    let object = Object::new(&mesh, Gouraud::<Rgb888>::new(light())).biased(Bias::BEHIND_LINES);
     let mut storage = vec![ScreenVertex::<S8, u16, _>::EMPTY; mesh.vertex_count()];
     let seen = object.project(&camera, &mut storage).unwrap();
     // The corners of triangles that face the camera.

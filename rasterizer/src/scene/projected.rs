@@ -128,7 +128,7 @@ where
     /// Draws the depth of its triangles alone: the target keeps its colours. What is drawn
     /// afterwards is hidden by the object, as by one of the background's colour: for lines of which
     /// the hidden parts are left out ([`lines`](Self::lines)), and for pixels that take long to
-    /// shade.
+    /// shade. The shader is not asked: pixels that it would discard have depth too.
     ///
     /// # Errors
     ///
@@ -143,14 +143,17 @@ where
             return Ok(());
         }
         let rows = Rows::of::<V::Subpixel>(&window);
+        let mut lookup = seen.vertices.lookup();
         let reach = self.order.reach(&window, &seen.viewport);
-        let all = (&self.order, &reach, 0..seen.triangle_count());
-        seen.for_each_visible(all, rows, &mut seen.vertices.lookup(), |_, corners, area| {
-            let moved = seen.mode.bias().moved(corners, area);
-            let bare: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 3] =
-                moved.map(|corner| ScreenVertex::new(corner.x, corner.y, corner.depth, []));
-            let triangle = Triangle::with_area(bare.each_ref(), area);
-            target.blend(&triangle, &window, |stored, _| stored)
+        self.order.for_each_run(seen.tables, |_, run| {
+            let triangles = (&self.order, &reach, run);
+            seen.for_each_visible(triangles, rows, &mut lookup, |_, corners, area| {
+                let moved = seen.mode.bias().moved(corners, area);
+                let bare: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 3] =
+                    moved.map(|corner| ScreenVertex::new(corner.x, corner.y, corner.depth, []));
+                let triangle = Triangle::with_area(bare.each_ref(), area);
+                target.blend(&triangle, &window, |stored, _| stored)
+            })
         })
     }
 
