@@ -8,7 +8,7 @@ use rasterizer::{
     camera::Camera,
     color::Composite,
     geometry::{self, ScreenVertex},
-    numbers::{self, S4, S8},
+    numbers,
     output::StoredColor,
     scene::Object,
     shade::{self, Density, Fogged, OnScreen, Shader},
@@ -19,11 +19,12 @@ use super::{
     Blending, Fog, NormalErrors, Texels,
     any_depth::{self, AnyDepth},
     blending::Layers,
+    drawing::{self, Drawing},
     fog::{self, AnyFog, SeenPicture},
-    layers,
+    layers::Blended,
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
-    view::{Projection, Subpixel, View, ViewError},
+    view::{View, ViewError},
 };
 use crate::{
     model::Model,
@@ -135,38 +136,26 @@ where
     let near = view.rounded().near;
     fog::with(chosen.by, || {
         let drawn = if view.fog.is_some() {
-            by_projection::<N, _>(model, view, &in_fog, |triangle, (corner, seen)| {
-                (placed(triangle, corner), fog::inverse_w(seen, near))
+            let placed =
+                |triangle, (corner, seen)| (placed(triangle, corner), fog::inverse_w(seen, near));
+            let shader = &in_fog;
+            any_depth::with(view.depth, || {
+                drawing::draw(view, ByShader { model, view, shader, placed })
             })
         } else {
-            by_projection::<N, _>(model, view, shader, |triangle, corner| {
-                (placed(triangle, corner), 1.0)
+            let placed = |triangle, corner| (placed(triangle, corner), 1.0);
+            any_depth::with(view.depth, || {
+                drawing::draw(view, ByShader { model, view, shader, placed })
             })
         }?;
         let blended = match view.blending {
             Blending::Replace => None,
-            Blending::By(blend) => Some(layers::draw(model, (view, blend), &in_fog)?),
+            Blending::By(blend) => {
+                Some(drawing::draw(view, Blended { model, view, blend, shader: &in_fog })?)
+            }
         };
         Ok(Placed { blended, ..drawn })
     })
-}
-
-fn by_projection<const N: usize, Sh: Shader<Color: ShownColor>>(
-    model: &Model,
-    view: &View,
-    shader: &Sh,
-    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
-) -> Result<Placed<N, Sh::Color>, ViewError> {
-    match view.projection {
-        Projection::Perspective { field_of_view_degrees } => {
-            let camera = view.perspective(field_of_view_degrees)?;
-            by_camera::<N, _, _>(model, view, &camera, shader, placed)
-        }
-        Projection::Orthographic { height } => {
-            let camera = view.orthographic(height)?;
-            by_camera::<N, _, _>(model, view, &camera, shader, placed)
-        }
-    }
 }
 
 /// A colour type of pictures that can be compared.
@@ -174,62 +163,58 @@ pub(super) trait ShownColor: StoredColor + From<Rgb888> + Into<Rgb888> {}
 
 impl<C: StoredColor + From<Rgb888> + Into<Rgb888>> ShownColor for C {}
 
-/// Draws in one of the precisions that a view can have.
-fn by_camera<const N: usize, P, Sh>(
-    model: &Model,
-    view: &View,
-    camera: &Camera<P>,
-    shader: &Sh,
-    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
-) -> Result<Placed<N, Sh::Color>, ViewError>
-where
-    P: geometry::Projection,
-    Sh: Shader<Color: ShownColor>,
-{
-    any_depth::with(view.depth, || match view.subpixel {
-        Subpixel::S4 => by_precision::<N, S4, _, _>(model, view, camera, shader, placed),
-        Subpixel::S8 => by_precision::<N, S8, _, _>(model, view, camera, shader, placed),
-    })
+/// A model, and what the reference has at its corners.
+struct ByShader<'a, Sh, F> {
+    model: &'a Model,
+    view: &'a View,
+    shader: &'a Sh,
+    /// The varyings and 1 / w of a corner of a triangle.
+    placed: F,
 }
 
-fn by_precision<const N: usize, S, P, Sh>(
-    model: &Model,
-    view: &View,
-    camera: &Camera<P>,
-    shader: &Sh,
-    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
-) -> Result<Placed<N, Sh::Color>, ViewError>
+impl<const N: usize, Sh, F> Drawing for ByShader<'_, Sh, F>
 where
-    S: numbers::Subpixel,
-    P: geometry::Projection,
     Sh: Shader<Color: ShownColor>,
+    F: Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 {
-    let mesh = model.mesh();
-    let object = Object::new(&mesh, shader.clone()).posed(view.pose());
-    let mut storage = vec![ScreenVertex::<S, AnyDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
-    let start = Instant::now();
-    let projected = object.project(camera, &mut storage)?;
-    let projecting = start.elapsed();
-    let drawn = object::draw_colors(&projected, view.area())?;
-    let (depth, mut inverses) = (view.depth.definition(), Vec::new());
-    let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-        let (varyings, inverse_w) = placed(triangle, corner.varyings());
-        inverses.push(inverse_w);
-        (depth.depth(corner.depth().into()), varyings)
-    });
-    let fog = view.rounded().fog.map(|fog| {
-        let size = view.size.map(|c| c as usize).into();
-        SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
-    });
-    let vertices =
-        projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
-    Ok(Placed {
-        picture: drawn.picture(view.area()),
-        triangles,
-        vertices,
-        time: projecting + drawn.time,
-        colors: drawn.color,
-        blended: None,
-        fog,
-    })
+    type Drawn = Placed<N, Sh::Color>;
+
+    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
+        self,
+        camera: &Camera<P>,
+    ) -> Result<Self::Drawn, ViewError> {
+        let Self { model, view, shader, placed } = self;
+        let mesh = model.mesh();
+        let object = Object::new(&mesh, shader.clone()).posed(view.pose());
+        let mut storage =
+            vec![ScreenVertex::<S, AnyDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
+        let start = Instant::now();
+        let projected = object.project(camera, &mut storage)?;
+        let projecting = start.elapsed();
+        let drawn = object::draw_colors(&projected, view.area())?;
+        let (depth, mut inverses) = (view.depth.definition(), Vec::new());
+        let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
+            let (varyings, inverse_w) = placed(triangle, corner.varyings());
+            inverses.push(inverse_w);
+            (depth.depth(corner.depth().into()), varyings)
+        });
+        let fog = view.rounded().fog.map(|fog| {
+            let size = view.size.map(|c| c as usize).into();
+            SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
+        });
+        let vertices = projected
+            .vertices()
+            .iter()
+            .map(|vertex| vertex.position().map(to_pixels::<S>))
+            .collect();
+        Ok(Placed {
+            picture: drawn.picture(view.area()),
+            triangles,
+            vertices,
+            time: projecting + drawn.time,
+            colors: drawn.color,
+            blended: None,
+            fog,
+        })
+    }
 }

@@ -30,6 +30,7 @@ mod coordinates;
 mod correction;
 mod depth;
 mod display;
+mod drawing;
 mod face_colors;
 mod filter;
 mod fixed;

@@ -37,6 +37,19 @@ pub struct FixedPicture {
 }
 
 impl FixedPicture {
+    /// Of the colours and the depths of a frame, row by row.
+    pub(super) fn new<C: Copy + Into<Rgb888>, D: Copy + Into<u32>>(
+        size: [u32; 2],
+        colors: &[C],
+        depths: &[D],
+    ) -> Self {
+        let pixel = |(&color, &depth): (&C, &D)| {
+            let color: Rgb888 = color.into();
+            Pixel { color: [color.r(), color.g(), color.b()], depth: depth.into() }
+        };
+        Self { size, pixels: colors.iter().zip(depths).map(pixel).collect() }
+    }
+
     /// The colour of the pixel in this column and row.
     pub(super) fn color(&self, [x, y]: [usize; 2]) -> [f64; 3] {
         self.pixels[y * self.size[0] as usize + x].color.map(f64::from)
@@ -143,14 +156,7 @@ pub(super) struct Drawn<C, D> {
 impl<C: Copy + Into<Rgb888>, D: Copy + Into<u32>> Drawn<C, D> {
     /// The picture of the area.
     pub(super) fn picture(&self, area: Rectangle) -> FixedPicture {
-        let pixel = |(&color, &depth): (&C, &D)| {
-            let color: Rgb888 = color.into();
-            Pixel { color: [color.r(), color.g(), color.b()], depth: depth.into() }
-        };
-        FixedPicture {
-            size: [area.size.width, area.size.height],
-            pixels: self.color.iter().zip(&self.depth).map(pixel).collect(),
-        }
+        FixedPicture::new([area.size.width, area.size.height], &self.color, &self.depth)
     }
 }
 

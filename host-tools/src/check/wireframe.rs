@@ -1,13 +1,12 @@
 //! The edges of a model, by the same calls as on a microcontroller.
 
-use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor as _};
+use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
     camera::Camera,
     fixed::types::{I0F32, I8F8},
-    geometry,
-    geometry::ScreenVertex,
+    geometry::{self, ScreenVertex},
     mesh::{Lines, Segments},
-    numbers::{self, S4, S8},
+    numbers,
     output::Frame,
     raster::Bias,
     scene::Object,
@@ -15,8 +14,9 @@ use rasterizer::{
 };
 
 use super::{
-    FixedPicture, Pixel,
-    view::{Projection, Subpixel, View, ViewError},
+    FixedPicture,
+    drawing::{self, Drawing},
+    view::{View, ViewError},
 };
 use crate::model::Model;
 
@@ -35,53 +35,39 @@ const BEHIND: Bias = Bias { slope: I8F8::lit("-1"), constant: I0F32::from_bits(-
 /// Returns an error if the view's numbers are out of range, or if the core cannot draw the model in
 /// it.
 pub fn wireframe(model: &Model, view: &View, hides_lines: bool) -> Result<FixedPicture, ViewError> {
-    match view.projection {
-        Projection::Perspective { field_of_view_degrees } => {
-            by_camera(model, view, &view.perspective(field_of_view_degrees)?, hides_lines)
-        }
-        Projection::Orthographic { height } => {
-            by_camera(model, view, &view.orthographic(height)?, hides_lines)
-        }
-    }
+    drawing::draw(view, Edges { model, view, hides_lines })
 }
 
-fn by_camera<P: geometry::Projection>(
-    model: &Model,
-    view: &View,
-    camera: &Camera<P>,
+struct Edges<'a> {
+    model: &'a Model,
+    view: &'a View,
     hides_lines: bool,
-) -> Result<FixedPicture, ViewError> {
-    match view.subpixel {
-        Subpixel::S4 => by_precision::<S4, P>(model, view, camera, hides_lines),
-        Subpixel::S8 => by_precision::<S8, P>(model, view, camera, hides_lines),
-    }
 }
 
-fn by_precision<S: numbers::Subpixel, P: geometry::Projection>(
-    model: &Model,
-    view: &View,
-    camera: &Camera<P>,
-    hides_lines: bool,
-) -> Result<FixedPicture, ViewError> {
-    let mesh = model.mesh();
-    let edges: Vec<_> = model.edges.iter().map(|edge| edge.map(|i| i as u16)).collect();
-    let lines = Lines::new_const(&mesh, Segments::U16(&edges));
-    let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(view.pose()).biased(BEHIND);
-    let mut storage = vec![ScreenVertex::<S, u32, _>::EMPTY; mesh.vertex_count()];
-    let seen = object.project(camera, &mut storage)?;
+impl Drawing for Edges<'_> {
+    type Drawn = FixedPicture;
 
-    let [red, green, blue] = view.background;
-    let pixels = view.size.iter().map(|&side| side as usize).product();
-    let mut colors = vec![Rgb888::new(red, green, blue); pixels];
-    let mut depth = vec![0u32; pixels];
-    let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
-    if hides_lines {
-        let Ok(()) = seen.draw_depth(&mut frame);
+    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
+        self,
+        camera: &Camera<P>,
+    ) -> Result<FixedPicture, ViewError> {
+        let Self { model, view, hides_lines } = self;
+        let mesh = model.mesh();
+        let edges: Vec<_> = model.edges.iter().map(|edge| edge.map(|i| i as u16)).collect();
+        let lines = Lines::new_const(&mesh, Segments::U16(&edges));
+        let object = Object::new(&mesh, Unlit::<Rgb888>::new()).posed(view.pose()).biased(BEHIND);
+        let mut storage = vec![ScreenVertex::<S, u32, _>::EMPTY; mesh.vertex_count()];
+        let seen = object.project(camera, &mut storage)?;
+
+        let [red, green, blue] = view.background;
+        let pixels = view.size.iter().map(|&side| side as usize).product();
+        let mut colors = vec![Rgb888::new(red, green, blue); pixels];
+        let mut depth = vec![0u32; pixels];
+        let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
+        if hides_lines {
+            let Ok(()) = seen.draw_depth(&mut frame);
+        }
+        let Ok(()) = seen.lines(&lines).fill(LINE, &mut frame);
+        Ok(FixedPicture::new(view.size, &colors, &depth))
     }
-    let Ok(()) = seen.lines(&lines).fill(LINE, &mut frame);
-    let pixel = |(color, depth): (&Rgb888, &u32)| Pixel {
-        color: [color.r(), color.g(), color.b()],
-        depth: *depth,
-    };
-    Ok(FixedPicture { size: view.size, pixels: colors.iter().zip(&depth).map(pixel).collect() })
 }
