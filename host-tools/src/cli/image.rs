@@ -167,15 +167,13 @@ impl Image {
             self.rgb.iter().map(|&[red, green, blue]| Rgb888::new(red, green, blue)).collect();
         let area = Rectangle::new(Point::zero(), self.size.into());
         let frame = Frame::without_depth(&mut samples, area).expect("the picture fills its size");
-        let rgb = |pixels: &mut dyn Iterator<Item = Rgb888>| {
-            pixels.map(|color| [color.r(), color.g(), color.b()]).collect()
-        };
-        let rgb = match side {
-            2 => frame.resolved::<2>().map(|resolved| rgb(&mut resolved.pixels())),
-            4 => frame.resolved::<4>().map(|resolved| rgb(&mut resolved.pixels())),
+        let rgb = |color: Rgb888| [color.r(), color.g(), color.b()];
+        let means = match side {
+            2 => frame.resolved::<2>().map(|means| means.pixels().map(rgb).collect()),
+            4 => frame.resolved::<4>().map(|means| means.pixels().map(rgb).collect()),
             _ => None,
         };
-        rgb.map_or_else(|| self.clone(), |rgb| Self { size: self.size.map(|c| c / side), rgb })
+        means.map_or_else(|| self.clone(), |rgb| Self { size: self.size.map(|c| c / side), rgb })
     }
 
     /// This picture and, on its right, another one of the same size.

@@ -6,14 +6,15 @@ use rustc_hash::FxHashMap;
 
 use super::{
     Faces,
-    vector::{Vector, add, cross, dot, length, sub},
+    triangulate::newell_normal,
+    vector::{Vector, angle},
 };
 
 /// An edge, and the faces that meet in it.
 struct Edge {
     /// The vertices of the tables at its ends.
     vertices: [u32; 2],
-    /// The normal of the first face, in double its area.
+    /// The normal of the first face, twice as long as its area.
     normal: Vector,
     faces: usize,
     /// Whether two of its faces meet at the least angle or more.
@@ -35,7 +36,7 @@ pub(super) fn edges(faces: &Faces, least_degrees: f64) -> Vec<[u32; 2]> {
     let mut known = FxHashMap::default();
     for face in &faces.faces {
         let ring = &faces.corners[face.corners.clone()];
-        let normal = doubled_area(&faces.ring(face));
+        let normal = newell_normal(&faces.ring(face));
         for (&from, &to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
             // A corner that no triangle has kept has no vertex.
             let ends = [vertex_at[from as usize], vertex_at[to as usize]];
@@ -58,19 +59,6 @@ pub(super) fn edges(faces: &Faces, least_degrees: f64) -> Vec<[u32; 2]> {
     }
     let kept = edges.iter().filter(|edge| edge.faces == 1 || edge.is_sharp);
     kept.map(|edge| edge.vertices).collect()
-}
-
-/// The normal of a polygon, in double its area (Newell).
-fn doubled_area(ring: &[Vector]) -> Vector {
-    let Some((&hub, rim)) = ring.split_first() else { return [0.0; 3] };
-    let triangles = rim.windows(2).map(|pair| cross(sub(pair[0], hub), sub(pair[1], hub)));
-    triangles.fold([0.0; 3], add)
-}
-
-/// The angle between two vectors in radians; that of one without length is 0.
-fn angle(a: Vector, b: Vector) -> f64 {
-    // Exact for small angles too.
-    length(cross(a, b)).atan2(dot(a, b))
 }
 
 #[cfg(test)]

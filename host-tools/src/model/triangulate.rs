@@ -212,7 +212,7 @@ fn flattened(ring: &[Vector]) -> Vec<Point> {
 
 /// The polygon's area times twice its normal. Works from any corner, convex or not (Newell's
 /// method; Sutherland et al., "A characterization of ten hidden-surface algorithms", 1974).
-fn newell_normal(ring: &[Vector]) -> Vector {
+pub(super) fn newell_normal(ring: &[Vector]) -> Vector {
     let relative = |i: usize| sub(ring[i % ring.len()], ring[0]);
     (1..ring.len()).fold([0.0; 3], |sum, i| add(sum, cross(relative(i), relative(i + 1))))
 }

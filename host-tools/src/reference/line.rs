@@ -13,17 +13,13 @@
 //! A line of several pixels in width is a line of one, moved by (w - 1) / 2 against its minor axis,
 //! of whose pixels each is repeated w times along that axis.
 
-use std::cmp::Ordering;
-
 /// A polynomial in a positive number that is smaller than any other: the coefficients from the
-/// constant up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// constant up, of which the first that differ tell the greater one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 struct Infinitesimal([i64; 5]);
 
 impl Infinitesimal {
-    fn is_positive(&self) -> bool {
-        self.0.iter().find(|c| **c != 0).is_some_and(|c| *c > 0)
-    }
+    const ZERO: Self = Self([0; 5]);
 
     fn combined(&self, other: &Self, by: impl Fn(i64, i64) -> i64) -> Self {
         Self(std::array::from_fn(|i| by(self.0[i], other.0[i])))
@@ -46,10 +42,6 @@ impl Infinitesimal {
             }
         }
         Self(product)
-    }
-
-    fn order(&self, other: &Self) -> Ordering {
-        self.0.cmp(&other.0)
     }
 }
 
@@ -125,24 +117,22 @@ fn exits([from, to]: [[i64; 2]; 2], pixel: [i64; 2], bits: u32) -> bool {
         ]
     };
     let (starts, ends) = (distances(from), distances(to));
-    if ends.iter().all(Infinitesimal::is_positive) {
+    if ends.iter().all(|end| *end > Infinitesimal::ZERO) {
         return false;
     }
     // The part of the way on which all four are positive: it begins after all of `after` and ends
     // before all of `before`, as quotients with positive divisors.
     let (mut after, mut before) = (vec![], vec![]);
     for (start, end) in starts.iter().zip(&ends) {
-        match (start.is_positive(), end.is_positive()) {
+        match (*start > Infinitesimal::ZERO, *end > Infinitesimal::ZERO) {
             (true, true) => {}
             (false, false) => return false,
             (true, false) => before.push((*start, start.minus(end))),
-            (false, true) => after.push((Infinitesimal([0; 5]).minus(start), end.minus(start))),
+            (false, true) => after.push((Infinitesimal::ZERO.minus(start), end.minus(start))),
         }
     }
     after.iter().all(|(enter, length)| {
-        before
-            .iter()
-            .all(|(leave, whole)| enter.times(whole).order(&leave.times(length)) == Ordering::Less)
+        before.iter().all(|(leave, whole)| enter.times(whole) < leave.times(length))
     })
 }
 
