@@ -1,4 +1,4 @@
-//! What the converter writes compiles, in every format of textures.
+//! What the converter writes compiles, in every format of textures and with edges.
 
 use std::{fs, path::Path};
 
@@ -16,35 +16,16 @@ const OBJ: &str = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 
 fn picture() -> Vec<u8> {
     let texels: [[u8; 4]; 4] =
         [[250, 10, 0, 255], [0, 200, 30, 255], [0, 0, 90, 128], [255, 255, 255, 255]];
-    // One block of texels as they are, each row after a byte for no filter.
-    let rows = texels.as_flattened().chunks(8).flat_map(|row| [&[0], row].concat());
-    let data: Vec<u8> = rows.collect();
-    let length = data.len() as u16;
-    let mut stream = vec![0x78, 0x01, 0x01];
-    stream.extend(length.to_le_bytes());
-    stream.extend((!length).to_le_bytes());
-    stream.extend(&data);
-    let (a, b) = data.iter().fold((1_u32, 0_u32), |(a, b), &byte| {
-        let a = (a + u32::from(byte)) % 65_521;
-        (a, (b + a) % 65_521)
-    });
-    stream.extend((b << 16 | a).to_be_bytes());
-    let mut file = b"\x89PNG\r\n\x1a\n".to_vec();
-    let header = [0, 0, 0, 2, 0, 0, 0, 2, 8, 6, 0, 0, 0];
-    for (kind, chunk) in [(b"IHDR", &header[..]), (b"IDAT", &stream), (b"IEND", &[])] {
-        file.extend((chunk.len() as u32).to_be_bytes());
-        let named = [&kind[..], chunk].concat();
-        let sum = named.iter().fold(u32::MAX, |sum, &byte| {
-            (0..8).fold(sum ^ u32::from(byte), |sum, _| (sum >> 1) ^ (0xEDB8_8320 * (sum & 1)))
-        });
-        file.extend(named);
-        file.extend((!sum).to_be_bytes());
-    }
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, 2, 2);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.write_header().unwrap().write_image_data(texels.as_flattened()).unwrap();
     file
 }
 
 fn compiles(directory: &Path, options: TextureOptions) -> String {
-    let options = Options { textures: Some(options), ..Options::default() };
+    let textures = Some(options);
+    let options = Options { textures, edges_degrees: Some(0.0), ..Options::default() };
     let model = Model::load(directory.join("a.obj"), &options).unwrap();
     let source = emit::source(&model);
     let file = directory.join("a.rs");
@@ -78,6 +59,7 @@ fn textures_compile_in_every_format() {
         };
         let source = compiles(&directory, options);
         assert_eq!(source.contains("Translucent<"), alpha.is_translucent(), "{source}");
+        assert!(source.contains("Segments::U8(&EDGES)"), "{source}");
     }
     // The colours of one byte, and those without any transparency.
     for format in [TexelFormat::Direct, TexelFormat::Indexed8] {
