@@ -123,9 +123,9 @@ impl<C: Mean, B: DepthBuffer, R: Rows> Frame<'_, C, B, R> {
     }
 }
 
-impl<C: Mean + Copy + 'static, const N: usize> BandPixels<C> for Supersampled<N> {}
+impl<C: Mean + 'static, const N: usize> BandPixels<C> for Supersampled<N> {}
 
-impl<C: Mean + Copy + 'static, const N: usize> Memory<C> for Supersampled<N> {
+impl<C: Mean + 'static, const N: usize> Memory<C> for Supersampled<N> {
     type Unit = C;
     const STEP: u32 = N as u32;
     type Frame<'f, B: DepthBuffer> = Frame<'f, C, B, Packed>;

@@ -8,8 +8,7 @@ use fixed::types::U16F16;
 use super::{
     FarViewer, Light, Lighting, NearViewer, Shader, ViewedFrom,
     finished::Finished,
-    lighting::{Eye, Gloss, Levels, Spot},
-    phong::unit_varying,
+    lighting::{Eye, Gloss, Levels, Spot, unit_varying},
 };
 use crate::{
     geometry::ObjectView,

@@ -7,7 +7,9 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use super::{
     FarViewer, Light, Lighting, NearViewer, Sample, Shader, ViewedFrom,
     finished::Finished,
-    lighting::{Ambit, Eye, Gloss, Illuminate, Levels, POSITION_BITS, Place, Spot, Viewpoint},
+    lighting::{
+        Ambit, Eye, Gloss, Illuminate, Levels, POSITION_BITS, Place, Spot, Viewpoint, unit_varying,
+    },
 };
 use crate::{
     attribute::{Adaptive, Correction, PerspectiveCorrect},
@@ -138,15 +140,6 @@ where
         let [[x, y, z], position] = PlaceOf::<L, V>::pixel(fragment.varyings.value);
         self.shaded(surface, x, y, z, position)
     }
-
-    #[inline(always)]
-    fn pixels(
-        &self,
-        surface: &Self::Surface,
-        (): (),
-    ) -> impl Fn(Fragment<Sample<Self>>) -> C + Copy {
-        move |fragment| self.pixel(surface, &(), fragment)
-    }
 }
 
 impl<C, L, V, M, const LEVELS: usize> Phong<C, L, V, M, LEVELS>
@@ -164,17 +157,6 @@ where
         let [diffuse, specular] = spot.levels::<L>(&sum);
         surface.colors.at(diffuse, specular)
     }
-}
-
-/// A normal of a table, 127 standing for 1, as a varying of length 2,032: its range over a triangle
-/// stays below 2^12, where [`Adaptive`] can do without divisions. One that is far too long is
-/// halved, so that its square fits at each pixel.
-#[inline(always)]
-pub(super) fn unit_varying(normal: [i8; 3]) -> [i16; 3] {
-    let [x, y, z] = normal.map(i32::from);
-    // The longest that rounding leaves is 127.87.
-    let up = if x * x + y * y + z * z < 1 << 14 { 4 } else { 3 };
-    normal.map(|c| i16::from(c) << up)
 }
 
 /// A material with highlights.

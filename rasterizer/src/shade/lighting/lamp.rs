@@ -118,8 +118,7 @@ impl Illuminate for Lamp {
     #[inline(always)]
     fn shine<V: Viewpoint>(lamp: &Self, spot: &Spot<'_, V>, sum: &mut Levels) {
         let to_lamp = lamp.point.from(spot.position);
-        let level = lamp.attenuated(&to_lamp);
-        let level = level >> 1;
+        let level = lamp.attenuated(&to_lamp) >> 1;
         // Twice the length by the cosine, below 2^17, and below 2^15.
         sum.direct += (spot.normal.along(&to_lamp.unit) * level) >> 15;
         if spot.is_glossy() {

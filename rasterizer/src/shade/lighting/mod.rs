@@ -13,7 +13,7 @@ use core::fmt::Debug;
 pub(super) use self::{
     gloss::Gloss,
     lit::{Lit, face_level, vertex_level},
-    place::{Ambit, POSITION_BITS, Place},
+    place::{Ambit, POSITION_BITS, Place, unit_varying},
     spot::{Eye, Spot, Viewpoint},
 };
 pub use self::{
@@ -23,8 +23,8 @@ pub use self::{
 };
 use crate::geometry::ObjectView;
 
-/// What lights a surface: a [`Light`], a [`Lamp`], or several, as an
-/// array or a tuple of up to four of any kind, such as `([Light; 2], Lamp)`.
+/// What lights a surface: a [`Light`], a [`Lamp`], or several, as an array or a tuple of up to four
+/// of any kind, such as `([Light; 2], Lamp)`.
 ///
 /// Their levels are added, and the sum is at most 1. Light is white: it makes a surface's colour
 /// brighter or darker in the values that pictures store. Coloured light is not supported, and

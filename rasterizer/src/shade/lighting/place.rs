@@ -34,6 +34,17 @@ pub(in crate::shade) type Ambit<A, B> = <A as Place>::Or<B>;
 /// The bits of a position as a varying.
 pub(in crate::shade) const POSITION_BITS: u32 = 14;
 
+/// A normal of a table, 127 standing for 1, as a varying of length 2,032: its range over a triangle
+/// stays below 2^12, where [`Adaptive`](crate::attribute::Adaptive) can do without divisions. One
+/// that is far too long is halved, so that its square fits at each pixel.
+#[inline(always)]
+pub(in crate::shade) fn unit_varying(normal: [i8; 3]) -> [i16; 3] {
+    let [x, y, z] = normal.map(i32::from);
+    // The longest that rounding leaves is 127.87.
+    let up = if x * x + y * y + z * z < 1 << 14 { 4 } else { 3 };
+    normal.map(|c| i16::from(c) << up)
+}
+
 /// Light is the same at all positions.
 #[derive(Clone, Copy, Debug)]
 pub enum Anywhere {}
