@@ -296,19 +296,12 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
         let seen = seen.unwrap_or_else(fail);
         self.count(&seen);
-        let area = camera.viewport();
-        let pixels = (area.size.width * area.size.height) as usize;
-        let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
-        color.fill(self.background);
-        let mut frame = D::frame(color, depth, area);
-        timed(Stage::Clear, &mut self.clear, || frame.clear_depth());
-        let Ok(()) = timed(Stage::Draw, &mut self.draw, || {
+        self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| {
             if are_hidden {
-                seen.draw_depth(&mut frame)?;
+                seen.draw_depth(frame)?;
             }
-            seen.lines(lines).fill(white, &mut frame)
+            seen.lines(lines).fill(white, frame)
         });
-        self.pixels_drawn += frame.pixels().iter().filter(|&&pixel| pixel == white).count() as u64;
     }
 
     /// Sorts the triangles into `bins`, if there are any, and draws the bands.
@@ -350,15 +343,26 @@ impl<const SET_UP: bool> Cost<SET_UP> {
                 let Ok(()) = timed(Stage::Draw, &mut self.draw, || seen.draw(&mut nothing));
                 continue;
             }
-            let pixels = (area.size.width * area.size.height) as usize;
-            let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
-            color.fill(self.background);
-            let mut frame = V::Depth::frame(color, depth, area);
-            timed(Stage::Clear, &mut self.clear, || frame.clear_depth());
-            let Ok(()) = timed(Stage::Draw, &mut self.draw, || seen.draw(&mut frame));
-            let drawn = frame.pixels().iter().filter(|&&pixel| pixel != self.background);
-            self.pixels_drawn += drawn.count() as u64;
+            self.draw_frame::<V::Depth, PIXELS>(area, memory, |frame| seen.draw(frame));
         }
+    }
+
+    /// Draws a frame of an area, and counts the pixels that are no background afterwards.
+    #[inline(always)]
+    fn draw_frame<D: Depth, const PIXELS: usize>(
+        &mut self,
+        area: Rectangle,
+        memory: &mut Memory<PIXELS>,
+        draw: impl FnOnce(&mut Frame<'_, Rgb565Be, D::Buffer<'_>>) -> Result<(), Infallible>,
+    ) {
+        let pixels = (area.size.width * area.size.height) as usize;
+        let (color, depth) = (&mut memory.color[..pixels], &mut memory.depth[..pixels]);
+        color.fill(self.background);
+        let mut frame = D::frame(color, depth, area);
+        timed(Stage::Clear, &mut self.clear, || frame.clear_depth());
+        let Ok(()) = timed(Stage::Draw, &mut self.draw, || draw(&mut frame));
+        let drawn = frame.pixels().iter().filter(|&&pixel| pixel != self.background);
+        self.pixels_drawn += drawn.count() as u64;
     }
 
     /// Counts a frame, its triangles, and the pixels that change with it.
