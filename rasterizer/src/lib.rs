@@ -224,7 +224,7 @@
 //! # Not supported
 //!
 //! * Coloured light, shadows, normal maps, and highlights on textures.
-//! * Antialiasing; lines and points.
+//! * Antialiasing other than by [supersampling](output::Supersampled); points.
 //! * Textures over 1,024 texels wide or high, and anisotropic filters.
 //! * Sorting the triangles of several objects together: objects that are blended or drawn without
 //!   depth are drawn in the order of the calls. Bins of triangles that are sorted from back to

@@ -74,8 +74,8 @@ impl<S, D, V> Lookup<S, D, V> for &[ScreenVertex<S, D, V>] {
 ///
 /// Each draw begins with an empty cache, so a frame in 15 bands costs that 15 times.
 /// [Bins](super::Projected::binned) reduce it to the vertices of the triangles in each band: of
-/// 5,856 triangles, 6.0 million instructions with 35 KB of vertices and 11 KB of bins (Cortex-M0+,
-/// 320 x 240) become 7.6 million with the bins alone, and 30 million with neither. Powers of two
+/// 5,856 triangles, 6.2 million instructions with 35 KB of vertices and 11 KB of bins (Cortex-M0+,
+/// 320 x 240) become 7.7 million with the bins alone, and 30 million with neither. Powers of two
 /// are the fastest `N`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct OnDemand<S, D, const N: usize = 32> {
