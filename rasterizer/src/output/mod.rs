@@ -16,7 +16,7 @@ mod keep_depth;
 mod modes;
 mod packed;
 mod pixels;
-mod resolved;
+mod supersampled;
 
 pub use band_pixels::{BandPixels, Unpacked};
 pub use bands::{BandAreas, Bands, StreamError};
@@ -33,7 +33,7 @@ pub use frame::{Frame, FrameError, Packed, Rows, Strided};
 pub use keep_depth::KeepDepth;
 pub use modes::{Add, Multiply, Over, Screen};
 pub use packed::PackedFrame;
-pub use resolved::{Resolved, Supersampled};
+pub use supersampled::{Resolved, Supersampled};
 
 use crate::{
     attribute::DepthFormat,

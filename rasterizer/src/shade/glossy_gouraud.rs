@@ -8,7 +8,7 @@ use fixed::types::U16F16;
 use super::{
     FarViewer, Light, Lighting, NearViewer, Shader, ViewedFrom,
     finished::Finished,
-    lighting::{Eye, Gloss, Levels, Spot, unit_varying},
+    lighting::{Eye, Gloss, Levels, SurfacePoint, unit_varying},
 };
 use crate::{
     geometry::ObjectView,
@@ -114,10 +114,10 @@ where
         let position = vertex.position().map(|c| i32::from(c) << self.spare_bits);
         // To a length of 2^15, and one that is far too long below it.
         let normal = unit_varying(vertex.normal()).map(|c| i32::from(c) << 4);
-        let spot = Spot::new([normal, position], &self.eye, &self.gloss);
+        let point = SurfacePoint::new([normal, position], &self.eye, &self.gloss);
         let mut sum = Levels::default();
-        L::shine(&self.beams, &spot, &mut sum);
-        spot.levels::<L>(&sum).map(|level| level as u16)
+        L::shine(&self.beams, &point, &mut sum);
+        point.levels::<L>(&sum).map(|level| level as u16)
     }
 
     #[inline(always)]

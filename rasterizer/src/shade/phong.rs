@@ -8,7 +8,8 @@ use super::{
     FarViewer, Light, Lighting, NearViewer, Sample, Shader, ViewedFrom,
     finished::Finished,
     lighting::{
-        Ambit, Eye, Gloss, Illuminate, Levels, POSITION_BITS, Place, Spot, Viewpoint, unit_varying,
+        Ambit, Eye, Gloss, Illuminate, Levels, POSITION_BITS, Place, SurfacePoint, Viewpoint,
+        unit_varying,
     },
 };
 use crate::{
@@ -151,10 +152,10 @@ where
     // codegen: called with coordinates in registers: the loop over pixels has none to spare.
     #[inline(never)]
     fn shaded(&self, surface: &Glossy<C, LEVELS>, x: i32, y: i32, z: i32, position: [i32; 3]) -> C {
-        let spot = Spot::new([[x, y, z], position], &self.eye, &surface.gloss);
+        let point = SurfacePoint::new([[x, y, z], position], &self.eye, &surface.gloss);
         let mut sum = Levels::default();
-        L::shine(&self.beams, &spot, &mut sum);
-        let [diffuse, specular] = spot.levels::<L>(&sum);
+        L::shine(&self.beams, &point, &mut sum);
+        let [diffuse, specular] = point.levels::<L>(&sum);
         surface.colors.at(diffuse, specular)
     }
 }

@@ -4,7 +4,8 @@ use super::{
     Illuminate, Level, Levels,
     place::Here,
     point::{Point, length},
-    spot::{Spot, Viewpoint},
+    surface_point::SurfacePoint,
+    viewer::Viewpoint,
 };
 use crate::{
     camera::Distance,
@@ -116,13 +117,13 @@ impl Illuminate for Lamp {
     }
 
     #[inline(always)]
-    fn shine<V: Viewpoint>(lamp: &Self, spot: &Spot<'_, V>, sum: &mut Levels) {
-        let to_lamp = lamp.point.from(spot.position);
+    fn shine<V: Viewpoint>(lamp: &Self, point: &SurfacePoint<'_, V>, sum: &mut Levels) {
+        let to_lamp = lamp.point.from(point.position);
         let level = lamp.attenuated(&to_lamp) >> 1;
         // Twice the length by the cosine, below 2^17, and below 2^15.
-        sum.direct += (spot.normal.along(&to_lamp.unit) * level) >> 15;
-        if spot.is_glossy() {
-            spot.add_highlight_of(&to_lamp.unit, level as i32, sum);
+        sum.direct += (point.normal.along(&to_lamp.unit) * level) >> 15;
+        if point.is_glossy() {
+            point.add_highlight_of(&to_lamp.unit, level as i32, sum);
         }
     }
 }

@@ -5,7 +5,8 @@ use fixed::types::U1F15;
 use super::{
     Illuminate, Levels,
     place::Anywhere,
-    spot::{Spot, Viewpoint, half},
+    surface_point::{SurfacePoint, half},
+    viewer::Viewpoint,
 };
 use crate::{
     geometry::{ObjectView, Pose},
@@ -131,14 +132,14 @@ impl Illuminate for Light {
     }
 
     #[inline(always)]
-    fn shine<V: Viewpoint>(beam: &Beam, spot: &Spot<'_, V>, sum: &mut Levels) {
+    fn shine<V: Viewpoint>(beam: &Beam, point: &SurfacePoint<'_, V>, sum: &mut Levels) {
         sum.ambient += beam.ambient;
-        sum.direct += spot.normal.along(&beam.factors);
-        if spot.is_glossy() {
+        sum.direct += point.normal.along(&beam.factors);
+        if point.is_glossy() {
             if V::IS_NEAR {
-                spot.add_highlight_of(&beam.toward, beam.level, sum);
+                point.add_highlight_of(&beam.toward, beam.level, sum);
             } else {
-                spot.add_highlight(&beam.half, beam.level, sum);
+                point.add_highlight(&beam.half, beam.level, sum);
             }
         }
     }

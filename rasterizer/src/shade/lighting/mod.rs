@@ -6,7 +6,8 @@ mod light;
 mod lit;
 mod place;
 mod point;
-mod spot;
+mod surface_point;
+mod viewer;
 
 use core::fmt::Debug;
 
@@ -14,12 +15,13 @@ pub(super) use self::{
     gloss::Gloss,
     lit::{Lit, face_level, vertex_level},
     place::{Ambit, POSITION_BITS, Place, unit_varying},
-    spot::{Eye, Spot, Viewpoint},
+    surface_point::SurfacePoint,
+    viewer::{Eye, Viewpoint},
 };
 pub use self::{
     lamp::Lamp,
     light::{Level, Light},
-    spot::{FarViewer, NearViewer, ViewedFrom},
+    viewer::{FarViewer, NearViewer, ViewedFrom},
 };
 use crate::geometry::ObjectView;
 
@@ -58,8 +60,8 @@ pub trait Illuminate: Copy + Debug {
     /// in Q15, if that is the same from everywhere.
     fn beams(&self, viewer: [i32; 3]) -> Self::Beams;
 
-    /// Adds the levels of a spot.
-    fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut Levels);
+    /// Adds the levels of a point.
+    fn shine<V: Viewpoint>(beams: &Self::Beams, point: &SurfacePoint<'_, V>, sum: &mut Levels);
 }
 
 /// The sums of [`Illuminate::shine`].
@@ -67,8 +69,8 @@ pub trait Illuminate: Copy + Debug {
 pub struct Levels {
     /// In Q16, below 2^17 for each light.
     pub(in crate::shade) ambient: u32,
-    /// The diffuse level times the length of the spot's normal, so that a sum is scaled once: below
-    /// 2^17 for each light.
+    /// The diffuse level times the length of the point's normal, so that a sum is scaled once:
+    /// below 2^17 for each light.
     pub(in crate::shade) direct: u32,
     /// In Q16, below 2^17 for each light.
     pub(in crate::shade) specular: u32,
@@ -110,9 +112,9 @@ impl<L: Illuminate, const N: usize> Illuminate for [L; N] {
     }
 
     #[inline(always)]
-    fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut Levels) {
+    fn shine<V: Viewpoint>(beams: &Self::Beams, point: &SurfacePoint<'_, V>, sum: &mut Levels) {
         for beams in beams {
-            L::shine(beams, spot, sum);
+            L::shine(beams, point, sum);
         }
     }
 }
@@ -143,8 +145,8 @@ macro_rules! several {
             }
 
             #[inline(always)]
-            fn shine<V: Viewpoint>(beams: &Self::Beams, spot: &Spot<'_, V>, sum: &mut Levels) {
-                $($light::shine(&beams.$index, spot, sum);)*
+            fn shine<V: Viewpoint>(beams: &Self::Beams, point: &SurfacePoint<'_, V>, sum: &mut Levels) {
+                $($light::shine(&beams.$index, point, sum);)*
             }
         }
     };
