@@ -58,6 +58,7 @@ examples! {
     oled = "../examples/oled.rs",
     own_output = "../examples/own_output.rs",
     own_shader = "../examples/own_shader.rs",
+    painter = "../examples/painter.rs",
     per_object = "../examples/per_object.rs",
     perspective_modes = "../examples/perspective_modes.rs",
     projections = "../examples/projections.rs",

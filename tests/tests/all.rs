@@ -29,6 +29,7 @@ mod mip_levels;
 mod model_files;
 mod object_lines;
 mod packed_frames;
+mod painter;
 mod perspective;
 mod pictures;
 mod placement;

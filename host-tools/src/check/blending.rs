@@ -38,18 +38,20 @@ pub enum Blending {
     /// They replace what is there.
     #[default]
     Replace,
-    /// From back to front, without storing depth.
+    /// From back to front, without testing depth. With [`Blend::Replace`] that is the painter's
+    /// algorithm.
     By(Blend),
 }
 
 impl Blending {
     /// All of them, each with its name on the command line.
-    pub const NAMES: [(&'static str, Self); 5] = [
+    pub const NAMES: [(&'static str, Self); 6] = [
         ("replace", Self::Replace),
         ("over", Self::By(Blend::Over)),
         ("add", Self::By(Blend::Add)),
         ("multiply", Self::By(Blend::Multiply)),
         ("screen", Self::By(Blend::Screen)),
+        ("painter", Self::By(Blend::Replace)),
     ];
 }
 
@@ -78,6 +80,7 @@ impl Recorder<'_> {
             Blend::Add => Composite::add(new, stored, alpha),
             Blend::Multiply => new.multiply(stored, alpha),
             Blend::Screen => new.screen(stored, alpha),
+            Blend::Replace => new,
         }
     }
 }

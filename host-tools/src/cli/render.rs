@@ -34,6 +34,7 @@ Examples:
   host-tools render model.obj --fog linear:2:4       The background hides what is far away
   host-tools render model.obj --supersample 4        Smooth edges
   host-tools render model.obj --hidden-lines --edges 30  The edges that can be seen
+  host-tools render model.obj --painter             Without a depth buffer
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
 /// Draw a model with the fixed-point core, as a display shows it

@@ -9,6 +9,7 @@
 /// | add | s + n a, at most 1 |
 /// | multiply | s (1 - a (1 - n)) |
 /// | screen | s + a n (1 - s) |
+/// | replace | n |
 ///
 /// On an opaque background these are the source-over, plus, multiply and screen of the W3C's
 /// Compositing and Blending Level 1.
@@ -22,6 +23,8 @@ pub enum Blend {
     Multiply,
     /// The layer's light is added, the less the brighter the stored colour is.
     Screen,
+    /// The layer hides the stored colour, with any alpha: the painter's algorithm.
+    Replace,
 }
 
 /// A layer: red, green and blue in 0..=255, and an alpha from 0 to 1.
@@ -46,6 +49,7 @@ impl Blend {
                     Self::Add => (s + n * a).min(1.0),
                     Self::Multiply => s * (1.0 - a * (1.0 - n)),
                     Self::Screen => s + a * n * (1.0 - s),
+                    Self::Replace => n,
                 }
         })
     }
@@ -66,6 +70,7 @@ impl Blend {
             Self::Add => 1.0,
             Self::Multiply => 1.0 - a * (1.0 - n),
             Self::Screen => 1.0 - a * n,
+            Self::Replace => 0.0,
         }
     }
 }
@@ -107,6 +112,7 @@ mod tests {
         assert_eq!(put(Blend::Over, 100.0, grey(200.0, 0.25)), 125.0);
         assert_eq!(put(Blend::Add, 100.0, grey(200.0, 0.25)), 150.0);
         assert_eq!(put(Blend::Add, 200.0, grey(200.0, 0.5)), 255.0);
+        assert!((put(Blend::Replace, 100.0, grey(51.0, 0.0)) - 51.0).abs() < ROUNDING);
         assert!((put(Blend::Multiply, 100.0, grey(51.0, 1.0)) - 20.0).abs() < ROUNDING);
         assert!((put(Blend::Screen, 51.0, grey(51.0, 1.0)) - 91.8).abs() < ROUNDING);
     }

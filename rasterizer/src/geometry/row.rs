@@ -75,11 +75,7 @@ impl<const PARTS: usize> Row<PARTS> {
         let mut sum = self.translation.0;
         for column in 0..3 {
             keep_rolled();
-            let entry = match self.entries.as_slice() {
-                [whole] => whole[column] >> (16 - FRACTION_BITS),
-                [high, low] => (high[column] << FRACTION_BITS) + low[column],
-                _ => 0,
-            };
+            let entry = self.entry(column);
             let bounds = mesh.bounds();
             let end = if (entry < 0) == is_greatest { bounds.min } else { bounds.max };
             let end = i32::from(end[column]) << mesh.spare_bits();
@@ -87,6 +83,21 @@ impl<const PARTS: usize> Row<PARTS> {
             sum = sum.wrapping_add((product >> FRACTION_BITS) as i32);
         }
         sum
+    }
+
+    /// By how much a coordinate changes at most with a quantum in each axis, in units.
+    #[inline(never)]
+    pub(super) fn quanta(&self) -> i32 {
+        (0..3).map(|column| (self.entry(column).abs() >> FRACTION_BITS) + 1).sum()
+    }
+
+    /// An entry with its bits behind the point.
+    fn entry(&self, column: usize) -> i32 {
+        match self.entries.as_slice() {
+            [whole] => whole[column] >> (16 - FRACTION_BITS),
+            [high, low] => (high[column] << FRACTION_BITS) + low[column],
+            _ => 0,
+        }
     }
 
     /// By how many bits [`apply`](Self::apply) wants positions shifted up.

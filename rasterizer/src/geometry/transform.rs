@@ -38,6 +38,8 @@ pub(crate) struct Transform<P: Projection> {
     pub(super) near: i32,
     pub(super) far: i32,
     pub(super) lens: P::Lens,
+    /// The binary exponent of the unit of z.
+    unit: i32,
     /// By how many bits positions are shifted up.
     position_shift: u32,
     /// Whether numbers fit, so that the planes beyond which an object lies are known.
@@ -109,6 +111,7 @@ impl<P: Projection> Transform<P> {
                     near,
                     far,
                     lens,
+                    unit: units.z,
                     position_shift: mesh.spare_bits() + <Row>::POSITION_SHIFT,
                     is_in_range,
                     is_exact,
@@ -131,6 +134,7 @@ impl<P: Projection> Transform<P> {
             near: self.near,
             far: self.far,
             lens: self.lens,
+            unit: self.unit,
             position_shift: self.position_shift,
             is_in_range: self.is_in_range,
             is_exact: self.is_exact,
@@ -166,13 +170,42 @@ impl<P: Projection> Transform<P> {
         [x, y, z]
     }
 
-    /// The distance along the camera's axis of a triangle whose positions have this sum, up to a
-    /// constant: 3/4 of its middle's, for which the sum has room.
+    /// Three quarters of how far the middle of a triangle whose positions have this sum lies along
+    /// the camera's axis, modulo 2^32, from an own zero
+    /// ([`distance_zero`](Self::distance_zero)): within a quantum of the mesh, in multiples of
+    /// 2^[`unit`](Self::unit).
+    // A quarter of the sum, because a third takes multiplications.
     #[inline(always)]
     pub(crate) fn distance<C: Coordinate>(&self, sum: [i32; 3]) -> i32 {
         let spare_bits = self.position_shift - <Row>::POSITION_SHIFT;
         let position = sum.map(|c| ((c << spare_bits) >> 2) << <Row>::POSITION_SHIFT);
         self.z.apply::<C>(position).units()
+    }
+
+    /// What [`distance`](Self::distance) is more than three quarters of a triangle's distance,
+    /// modulo 2^32.
+    pub(crate) fn distance_zero<C: Coordinate>(&self, mesh: &Mesh<'_>) -> i32 {
+        let corner = mesh.bounds().min;
+        let [_, _, z] = self.object_to_clip_outlined::<C>(corner);
+        let distance = self.distance::<C>(corner.map(|c| 3 * i32::from(c)));
+        distance.wrapping_sub(three_quarters(z.units()))
+    }
+
+    /// The unit of [`distance`](Self::distance): two to this power. What 1 is depends on the
+    /// camera alone.
+    #[inline(always)]
+    pub(crate) const fn unit(&self) -> i32 {
+        self.unit
+    }
+
+    /// Three quarters of the least and the greatest distance of any triangle of the mesh, or a few
+    /// units and a quantum of the mesh more.
+    pub(crate) fn distances(&self, mesh: &Mesh<'_>) -> [i32; 2] {
+        let ends = [false, true].map(|end| three_quarters(self.z.end(mesh, end)));
+        // Products and sums are rounded by less than 8 units together, a triangle's position by
+        // less than a quantum in each axis.
+        let margin = 8 + self.z.quanta();
+        [ends[0] - margin, ends[1] + margin]
     }
 
     /// Projects a vertex. The result is not on the screen if the vertex is outside near plane, far
@@ -254,6 +287,11 @@ impl<P: Projection> Transform<P> {
         let beyond = [z < self.near, z > self.far, x < -across, x > across, y < -down, y > down];
         beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside))
     }
+}
+
+/// 3/4 of a coordinate, rounded up.
+const fn three_quarters(units: i32) -> i32 {
+    units - (units >> 2)
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! The triangles of an object from the farthest to the nearest.
 
-use core::{iter::Copied, ops::Range, slice};
+use core::{convert::Infallible, iter::Copied, ops::Range, slice};
 
 use super::{
-    Mode, Order, ProjectError, Projected, Vertices,
+    MeshOrder, Mode, Order, ProjectError, Projected, Vertices,
     order::Sequence,
+    seen::{CoordinateOf, Rows, Seen},
     sort::{Distances, Packing, sort},
 };
 use crate::{
@@ -18,8 +19,10 @@ use crate::{
 /// [`Projected::back_to_front`] makes.
 #[derive(Clone, Copy, Debug)]
 pub struct BackToFront<'b> {
-    words: &'b [u32],
-    packing: Packing,
+    pub(super) words: &'b [u32],
+    pub(super) packing: Packing,
+    /// The number of its mesh's first triangle.
+    pub(super) first: usize,
 }
 
 impl<'a, V, P, Sh, M> Projected<'a, V, P, Sh, M>
@@ -53,37 +56,80 @@ where
         self,
         storage: &'b mut [u32],
     ) -> Result<Projected<'a, V, P, Sh, M, BackToFront<'b>>, ProjectError> {
-        let seen = &self.seen;
-        let needed = seen.triangle_count();
+        let needed = self.seen.triangle_count();
         let words = storage.get_mut(..needed).ok_or(ProjectError::SortStorage { needed })?;
-        let (mut count, mut last) = (0, usize::MAX);
-        let mut distances = Distances::NONE;
-        seen.for_each_touching(|number, _| {
-            // The parts of one that is clipped come one after the other.
-            if number != last {
-                last = number;
-                if let Some(word) = words.get_mut(count) {
-                    *word = number as u32;
-                    distances = distances.with(seen.distance(number));
-                    count += 1;
-                }
-            }
-        });
+        let packing = Packing::new(self.seen.distances(), needed);
+        let count = self.seen.write_words(words, packing, 0);
         let words = words.get_mut(..count).unwrap_or_default();
-        let packing = Packing::new(distances, needed);
-        for word in &mut *words {
-            let number = *word as usize;
-            *word = packing.word(seen.distance(number), number);
-        }
         sort(words);
-        Ok(Projected { seen: self.seen, order: BackToFront { words, packing } })
+        Ok(Projected { seen: self.seen, order: BackToFront { words, packing, first: 0 } })
     }
 }
 
 impl BackToFront<'_> {
     /// The places of the triangles in the mesh's table, from back to front.
     pub fn triangles(&self) -> impl Iterator<Item = usize> {
-        self.words.iter().map(|&word| self.packing.number(word))
+        self.words.iter().map(|&word| self.number(word))
+    }
+
+    /// The same triangles of a mesh whose first one has the number `first`.
+    pub(super) const fn of_mesh_from(self, first: usize) -> Self {
+        Self { first, ..self }
+    }
+
+    /// Whether the first triangle is one of the mesh.
+    pub(super) fn starts_within(&self, triangle_count: usize) -> bool {
+        self.words.first().is_some_and(|&word| self.number(word) < triangle_count)
+    }
+
+    /// Divides it before the first triangle of another mesh.
+    pub(super) fn split_at_object(self, triangle_count: usize) -> (Self, Self) {
+        let is_other = |&word: &u32| self.number(word) >= triangle_count;
+        let count = self.words.iter().position(is_other).unwrap_or(self.words.len());
+        let (own, others) = self.words.split_at_checked(count).unwrap_or((self.words, &[]));
+        (Self { words: own, ..self }, Self { words: others, ..self })
+    }
+
+    /// The place of a word's triangle in the mesh's table.
+    #[inline(always)]
+    const fn number(&self, word: u32) -> usize {
+        self.packing.number(word).wrapping_sub(self.first)
+    }
+}
+
+impl<V, P: Projection, Sh: Shader, M: Mode> Seen<'_, V, P, Sh, M>
+where
+    V: Vertices<OnScreen<Sh>>,
+{
+    /// The distances that its triangles can have.
+    pub(super) fn distances(&self) -> Distances {
+        if self.is_outside_view {
+            return Distances::NONE;
+        }
+        Distances::between(self.transform.distances(self.mesh), self.transform.unit())
+    }
+
+    /// Puts the words of the triangles that are seen into the first of `words`, which has room for
+    /// all of the mesh, and returns how many they are. Numbers count from `first`.
+    pub(super) fn write_words(&self, words: &mut [u32], packing: Packing, first: usize) -> usize {
+        let zero = self.transform.distance_zero::<CoordinateOf<V, Sh>>(self.mesh);
+        let packing = packing.of_object(self.distances(), zero);
+        let (mut count, mut last) = (0, usize::MAX);
+        let all = (&MeshOrder, &(), 0..self.triangle_count());
+        let rows = Rows::of::<V::Subpixel>(&self.viewport);
+        let mut lookup = self.vertices.lookup();
+        let Ok(()) = self.for_each_visible(all, rows, &mut lookup, |number, _, _| {
+            // The parts of one that is clipped come one after the other.
+            if number != last {
+                last = number;
+                if let Some(word) = words.get_mut(count) {
+                    *word = packing.word(self.distance(number), first + number);
+                    count += 1;
+                }
+            }
+            Ok::<(), Infallible>(())
+        });
+        count
     }
 }
 
@@ -117,8 +163,8 @@ impl<'b> Sequence for BackToFront<'b> {
         let mut rest = self.words;
         let mut first = 0;
         while let Some(&word) = rest.first() {
-            let (material, triangles) = material_of(tables, self.packing.number(word));
-            let is_other = |&word: &u32| !triangles.contains(&self.packing.number(word));
+            let (material, triangles) = material_of(tables, self.number(word));
+            let is_other = |&word: &u32| !triangles.contains(&self.number(word));
             let count = rest.iter().position(is_other).unwrap_or(rest.len());
             if let Some(of_table) = tables.materials.get(material) {
                 visit((material, of_table), first..first + count)?;
@@ -132,7 +178,7 @@ impl<'b> Sequence for BackToFront<'b> {
     #[inline(always)]
     fn indices(&self, run: Range<usize>, (): &()) -> Numbers<'b> {
         let words = self.words.get(run).unwrap_or_default();
-        Numbers { words: words.iter().copied(), packing: self.packing }
+        Numbers { words: words.iter().copied(), order: *self }
     }
 }
 
@@ -155,7 +201,7 @@ fn material_of(tables: &Tables<'_>, triangle: usize) -> (usize, Range<usize>) {
 #[derive(Clone, Debug)]
 pub struct Numbers<'b> {
     words: Copied<slice::Iter<'b, u32>>,
-    packing: Packing,
+    order: BackToFront<'b>,
 }
 
 impl Iterator for Numbers<'_> {
@@ -163,6 +209,6 @@ impl Iterator for Numbers<'_> {
 
     #[inline(always)]
     fn next(&mut self) -> Option<usize> {
-        self.words.next().map(|word| self.packing.number(word))
+        self.words.next().map(|word| self.order.number(word))
     }
 }

@@ -122,11 +122,11 @@ where
     /// The material and its place; a black one if the mesh has none there.
     fn material(&self) -> (usize, &Material) {
         const BLACK: Material = Material::new([0; 3], 0);
-        (self.material, self.seen.tables.materials.get(self.material).unwrap_or(&BLACK))
+        (self.material, self.seen.tables().materials.get(self.material).unwrap_or(&BLACK))
     }
 
     fn mesh_material(&self) -> MeshMaterial<'_> {
-        MeshMaterial::new(self.seen.tables, self.material())
+        MeshMaterial::new(self.seen.tables(), self.material())
     }
 
     /// Visits the ends of the lines, or of the parts of them that are left after clipping.
@@ -176,8 +176,9 @@ where
     #[inline(never)]
     fn clipped(&self, ends: [usize; 2]) -> Option<Ends<V, Sh>> {
         let transform = &self.seen.transform;
-        let ends = ends
-            .map(|index| self.seen.vertex_in_clip_space(&MeshVertex::new(self.seen.tables, index)));
+        let ends = ends.map(|index| {
+            self.seen.vertex_in_clip_space(&MeshVertex::new(self.seen.tables(), index))
+        });
         clip_line(ends, transform).map(|ends| ends.map(|end| transform.place_on_screen(end)))
     }
 }

@@ -4,8 +4,8 @@
 //! its shader. Where the frame is drawn in bands, [`Object::project`] does the work on the vertices
 //! once, [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`]
 //! is called for each band. [`Projected::back_to_front`] sorts triangles for objects that are
-//! blended. [`Object::project_on_demand`] needs no storage for vertices. [`Needs`] gives the length
-//! of every buffer at compile time.
+//! blended, [`Painter`] those of several objects. [`Object::project_on_demand`] needs no storage
+//! for vertices. [`Needs`] gives the length of every buffer at compile time.
 //!
 //! # Stack discipline
 //!
@@ -22,6 +22,7 @@ mod lines;
 mod mode;
 mod needs;
 mod order;
+mod painter;
 mod projected;
 mod seen;
 mod sort;
@@ -34,6 +35,7 @@ pub use lines::ProjectedLines;
 pub use mode::{Mode, Modes};
 pub use needs::Needs;
 pub use order::{MeshOrder, Order};
+pub use painter::{DrawnInto, Objects, Painter};
 pub use projected::Projected;
 pub use vertices::{OnDemand, Vertices};
 

@@ -86,43 +86,7 @@ where
         T: Target<Color = Sh::Color, Depth = V::Depth>,
         M::Blending: Blending<T>,
     {
-        let seen = &self.seen;
-        let window = target.window().intersection(&seen.viewport);
-        if window.is_empty() {
-            return Ok(());
-        }
-        let rows = Rows::of::<V::Subpixel>(&window);
-        let mut lookup = seen.vertices.lookup();
-        let reach = self.order.reach(&window, &seen.viewport);
-        self.order.for_each_run(seen.tables, |material, run| {
-            // Made when the first triangle needs it: in a band most materials are not seen.
-            let mut surface = None;
-            let triangles = (&self.order, &reach, run);
-            seen.for_each_visible(triangles, rows, &mut lookup, |index, corners, area| {
-                if surface.is_none() {
-                    seen.prepare(material, &mut surface);
-                }
-                // `prepare` has put it there.
-                let Some(surface) = &surface else { return Ok(()) };
-                let mut moved = None;
-                let corners = if M::Bias::MOVES {
-                    moved.insert(seen.mode.bias().moved(corners, area)).each_ref()
-                } else {
-                    corners
-                };
-                let triangle = Triangle::with_area(corners, area);
-                let face = MeshFace::new(seen.tables, index);
-                let of_mesh = MeshMaterial::new(seen.tables, material);
-                let blending = seen.mode.blending().of_material(&of_mesh);
-                match seen.shader.face(surface, &face, &Gradients::of(&triangle)) {
-                    Face::Solid(color) => blending.fill(target, &triangle, &window, color),
-                    Face::Shaded(face) => {
-                        let pixels = seen.shader.pixels(surface, face);
-                        blending.shade(target, &triangle, &window, pixels)
-                    }
-                }
-            })
-        })
+        self.seen.draw(&self.order, target)
     }
 
     /// Draws the depth of its triangles alone: the target keeps its colours. What is drawn
@@ -145,7 +109,7 @@ where
         let rows = Rows::of::<V::Subpixel>(&window);
         let mut lookup = seen.vertices.lookup();
         let reach = self.order.reach(&window, &seen.viewport);
-        self.order.for_each_run(seen.tables, |_, run| {
+        self.order.for_each_run(seen.tables(), |_, run| {
             let triangles = (&self.order, &reach, run);
             seen.for_each_visible(triangles, rows, &mut lookup, |_, corners, area| {
                 let moved = seen.mode.bias().moved(corners, area);
@@ -188,5 +152,58 @@ where
         let size = |axis: usize| (high[axis] - low[axis]) as u32;
         (low[0] < high[0])
             .then(|| Rectangle::new(Point::new(low[0], low[1]), Size::new(size(0), size(1))))
+    }
+}
+
+impl<V, P, Sh, M> Seen<'_, V, P, Sh, M>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
+{
+    /// Draws triangles in an order.
+    #[inline(always)]
+    pub(super) fn draw<O: Order, T>(&self, order: &O, target: &mut T) -> Result<(), T::Error>
+    where
+        T: Target<Color = Sh::Color, Depth = V::Depth>,
+        M::Blending: Blending<T>,
+    {
+        let window = target.window().intersection(&self.viewport);
+        if window.is_empty() {
+            return Ok(());
+        }
+        let rows = Rows::of::<V::Subpixel>(&window);
+        let mut lookup = self.vertices.lookup();
+        let reach = order.reach(&window, &self.viewport);
+        order.for_each_run(self.tables(), |material, run| {
+            // Made when the first triangle needs it: in a band most materials are not self.
+            let mut surface = None;
+            let triangles = (order, &reach, run);
+            self.for_each_visible(triangles, rows, &mut lookup, |index, corners, area| {
+                if surface.is_none() {
+                    self.prepare(material, &mut surface);
+                }
+                // `prepare` has put it there.
+                let Some(surface) = &surface else { return Ok(()) };
+                let mut moved = None;
+                let corners = if M::Bias::MOVES {
+                    moved.insert(self.mode.bias().moved(corners, area)).each_ref()
+                } else {
+                    corners
+                };
+                let triangle = Triangle::with_area(corners, area);
+                let face = MeshFace::new(self.tables(), index);
+                let of_mesh = MeshMaterial::new(self.tables(), material);
+                let blending = self.mode.blending().of_material(&of_mesh);
+                match self.shader.face(surface, &face, &Gradients::of(&triangle)) {
+                    Face::Solid(color) => blending.fill(target, &triangle, &window, color),
+                    Face::Shaded(face) => {
+                        let pixels = self.shader.pixels(surface, face);
+                        blending.shade(target, &triangle, &window, pixels)
+                    }
+                }
+            })
+        })
     }
 }

@@ -12,7 +12,7 @@ use crate::{
         ClipVertex, Clipping, Culling, MAX_CORNERS, ObjectView, PoseError, Projection,
         ScreenVertex, Transform, clip,
     },
-    mesh::{Material, MeshMaterial, MeshVertex, Tables},
+    mesh::{Material, Mesh, MeshMaterial, MeshVertex, Tables},
     numbers::{Subpixel, codegen},
     raster::{Window, first_center, signed_area},
     shade::{OnScreen, Shader},
@@ -21,14 +21,15 @@ use crate::{
 /// The corners of a triangle on the screen.
 pub(super) type Corners<'s, S, D, Sh> = [&'s ScreenVertex<S, D, OnScreen<Sh>>; 3];
 /// A coordinate in clip space of vertices from `V`.
-type CoordinateOf<V, Sh> = <<V as Vertices<OnScreen<Sh>>>::Subpixel as Subpixel>::Coordinate;
+pub(super) type CoordinateOf<V, Sh> =
+    <<V as Vertices<OnScreen<Sh>>>::Subpixel as Subpixel>::Coordinate;
 /// The corners of a clipped triangle.
 type Polygon<S, D, Sh> = Vec<ScreenVertex<S, D, OnScreen<Sh>>, MAX_CORNERS>;
 
 /// What all orders of an object's triangles share.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen<'a, V, P: Projection, Sh: Shader, M> {
-    pub(super) tables: &'a Tables<'a>,
+    pub(super) mesh: &'a Mesh<'a>,
     pub(super) shader: Sh,
     pub(super) transform: Transform<P>,
     pub(super) vertices: V,
@@ -44,10 +45,9 @@ impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Seen<'a,
     /// [`check`](Self::check) has succeeded.
     #[inline(always)]
     pub(super) fn new(object: &Object<'a, Sh, M>, camera: &Camera<P>, vertices: V) -> Self {
-        let tables = object.mesh.tables();
         let view = ObjectView::new(object.mesh, &object.pose, camera);
         let mut seen = Self {
-            tables,
+            mesh: object.mesh,
             shader: object.shader.for_object(&view),
             transform: Transform::new::<V::Subpixel>(camera, &object.pose, object.mesh),
             vertices,
@@ -73,7 +73,7 @@ impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     /// The same with vertices from elsewhere.
     pub(super) fn over<W>(self, vertices: W) -> Seen<'a, W, P, Sh, M> {
         Seen {
-            tables: self.tables,
+            mesh: self.mesh,
             shader: self.shader,
             transform: self.transform,
             vertices,
@@ -83,8 +83,13 @@ impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
         }
     }
 
+    #[inline(always)]
+    pub(super) const fn tables(&self) -> &'a Tables<'a> {
+        self.mesh.tables()
+    }
+
     pub(super) const fn triangle_count(&self) -> usize {
-        self.tables.triangles.len()
+        self.tables().triangles.len()
     }
 
     /// Width and height of the viewport in pixels.
@@ -98,7 +103,7 @@ impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     // gets the material in two registers: a `MeshMaterial` would be passed in memory.
     #[inline(never)]
     pub(super) fn prepare(&self, material: (usize, &Material), surface: &mut Option<Sh::Surface>) {
-        *surface = Some(self.shader.surface(&MeshMaterial::new(self.tables, material)));
+        *surface = Some(self.shader.surface(&MeshMaterial::new(self.tables(), material)));
     }
 }
 
@@ -108,7 +113,7 @@ impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, M>
     /// Projects all vertices into `storage`, which must hold exactly as many as the mesh has.
     pub(super) fn place(&mut self, storage: &'v mut [ScreenVertex<S, D, OnScreen<Sh>>]) {
         if !self.is_outside_view {
-            place(self.tables, &self.shader, &self.transform, storage);
+            place(self.tables(), &self.shader, &self.transform, storage);
             self.vertices = storage;
         }
     }
@@ -136,13 +141,12 @@ where
         });
     }
 
-    /// How far the middle of a triangle lies along the camera's axis, in an object's own units:
-    /// more is farther away.
+    /// [`Transform::distance`] of a triangle: more is farther away.
     pub(super) fn distance(&self, index: usize) -> i32 {
-        let corners = self.tables.triangles.get(index).unwrap_or_default();
+        let corners = self.tables().triangles.get(index).unwrap_or_default();
         let mut sum = [0; 3];
         for corner in corners {
-            let position = self.tables.positions.get(corner).unwrap_or_default();
+            let position = self.tables().positions.get(corner).unwrap_or_default();
             for (sum, c) in sum.iter_mut().zip(position) {
                 *sum += i32::from(c);
             }
@@ -163,7 +167,7 @@ where
         if self.is_outside_view {
             return Ok(());
         }
-        let table = self.tables.triangles;
+        let table = self.tables().triangles;
         // Cut to the table here, where compilers see that no index of the run lies beyond it.
         for index in order.indices(run.start..run.end.min(table.len()), reach) {
             let Some(indices) = table.get(index) else {
@@ -204,7 +208,7 @@ where
         &self,
         index: usize,
     ) -> ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>> {
-        on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables, index))
+        on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables(), index))
     }
 
     /// A vertex that is to be clipped.
@@ -233,9 +237,9 @@ where
     #[cold]
     #[inline(never)]
     fn is_triangle_outside_view(&self, index: usize) -> bool {
-        let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let indices = self.tables().triangles.get(index).unwrap_or_default();
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
-            let position = self.tables.positions.get(index).unwrap_or_default();
+            let position = self.tables().positions.get(index).unwrap_or_default();
             bits & self.transform.beyond::<CoordinateOf<V, Sh>>(position, self.size())
         });
         beyond_all != 0
@@ -246,10 +250,10 @@ where
     #[cold]
     #[inline(never)]
     fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
-        let indices = self.tables.triangles.get(index).unwrap_or_default();
+        let indices = self.tables().triangles.get(index).unwrap_or_default();
         let triangle = indices
             .into_iter()
-            .map(|index| self.vertex_in_clip_space(&MeshVertex::new(self.tables, index)));
+            .map(|index| self.vertex_in_clip_space(&MeshVertex::new(self.tables(), index)));
         clip(triangle, &self.transform, |vertex| {
             // There are as many places as `clip` has.
             let _ = corners.push(self.transform.place_on_screen(vertex));

@@ -35,6 +35,11 @@ pub const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 const VERTICES: usize = if cfg!(models) { 3000 } else { 300 };
 /// Triangles of the largest model.
 const TRIANGLES: usize = if cfg!(models) { 6000 } else { 600 };
+/// Words for the largest model's triangles in bins, or for their order.
+const WORDS: usize = {
+    let bins = bin_words(TRIANGLES, SIZE.height, BAND_ROWS);
+    if bins > TRIANGLES { bins } else { TRIANGLES }
+};
 const FRAMES: u32 = 8;
 const BAND_ROWS: u32 = 16;
 
@@ -96,6 +101,9 @@ fn run<const SET_UP: bool, const PIXELS: usize>(memory: &mut Memory<PIXELS>) {
     bench.scene::<u16, _>("cube-gouraud", &models::CUBE, gouraud, &close);
     bench.scene::<u16, _>("sphere-flat", &models::SPHERE, flat, &far);
     bench.scene::<NoDepth, _>("cube-flat", &models::CUBE, flat, &close);
+    #[cfg(models)]
+    bench.painted("spot-gouraud-painter", &models::SPOT, gouraud, &close);
+    bench.painted("sphere-flat-painter", &models::SPHERE, flat, &far);
     bench.scene::<FloatDepth, _>("cube-gouraud-float16", &models::CUBE, gouraud, &close);
     bench.scene::<FloatDepth, _>("sphere-flat-float16", &models::SPHERE, flat, &far);
 }
@@ -173,6 +181,33 @@ impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
         });
     }
 
+    /// A scene without depth, from back to front, as a whole frame in both precisions.
+    fn painted<Sh: Shader<Color = Rgb565Be>>(
+        &mut self,
+        name: &str,
+        mesh: &Mesh<'_>,
+        shader: Sh,
+        camera: &Camera,
+    ) {
+        let whole = MODES[0];
+        if whole.pixels() <= PIXELS {
+            let object = Object::new(mesh, shader);
+            self.painted_in::<S4, _>([name, "S4", whole.name], &object, camera);
+            self.painted_in::<S8, _>([name, "S8", whole.name], &object, camera);
+        }
+    }
+
+    fn painted_in<S: Subpixel, Sh: Shader<Color = Rgb565Be>>(
+        &mut self,
+        mode: [&str; 3],
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+    ) {
+        self.measure::<S, NoDepth, _, _>(mode, object, |cost, object, vertices, order, memory| {
+            cost.add_painted(object, camera, vertices, order, memory);
+        });
+    }
+
     /// A scene with depth in bands, without the vertices or the bins or both, in both precisions.
     fn frugal_bands<Sh: Shader<Color = Rgb565Be>>(
         &mut self,
@@ -221,11 +256,11 @@ impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
         ),
     ) {
         let mut vertices = [ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; VERTICES];
-        let mut bins = [0; bin_words(TRIANGLES, SIZE.height, BAND_ROWS)];
+        let mut words = [0; WORDS];
         let mut cost = Cost::<SET_UP>::default();
         for frame in 0..FRAMES {
             let object = object.clone().posed(pose(frame));
-            add(&mut cost, &object, &mut vertices, &mut bins, self.0);
+            add(&mut cost, &object, &mut vertices, &mut words, self.0);
         }
         counter::report();
         console::line(format_args!(

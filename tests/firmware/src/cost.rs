@@ -17,7 +17,7 @@ use rasterizer::{
     output::{
         BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target,
     },
-    scene::{Mode, Object, Order, Projected, Vertices},
+    scene::{Mode, Object, Order, Painter, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
 
@@ -302,6 +302,28 @@ impl<const SET_UP: bool> Cost<SET_UP> {
             }
             seen.lines(lines).fill(white, frame)
         });
+    }
+
+    /// Adds a whole frame from back to front by the painter's algorithm.
+    pub fn add_painted<S: Subpixel, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        vertices: &mut [ScreenVertex<S, NoDepth, OnScreen<Sh>>],
+        order: &mut [u32],
+        memory: &mut Memory<PIXELS>,
+    ) {
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        let painter = timed(Stage::Draw, &mut self.draw, || Painter::new((&seen,), order));
+        let painter = painter.unwrap_or_else(fail);
+        if SET_UP {
+            let mut nothing = Nothing::new(&camera.viewport());
+            let Ok(()) = timed(Stage::Draw, &mut self.draw, || painter.draw(&mut nothing));
+            return;
+        }
+        self.draw_frame::<NoDepth, PIXELS>(camera.viewport(), memory, |frame| painter.draw(frame));
     }
 
     /// Sorts the triangles into `bins`, if there are any, and draws the bands.

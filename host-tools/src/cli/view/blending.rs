@@ -1,14 +1,17 @@
 //! How pixels are put onto the picture.
 
 use clap::Args;
-use host_tools::check::{BACKGROUND, Blending, View};
+use host_tools::{
+    check::{BACKGROUND, Blending, View},
+    reference::Blend,
+};
 
 use super::names::{choice, name, within};
 
 #[derive(Clone, Debug, Args)]
 pub(super) struct BlendingOptions {
     /// How pixels are put onto the picture; all but replace draw every layer from back to front,
-    /// with the opacity of the materials
+    /// with the opacity of the materials, or by painter without it
     #[arg(
         long,
         value_name = "MODE",
@@ -16,6 +19,10 @@ pub(super) struct BlendingOptions {
         value_parser = choice(&Blending::NAMES)
     )]
     blend: Blending,
+    /// The same as --blend painter: triangles from back to front in place of a depth buffer, with
+    /// the faults that this order has
+    #[arg(long, conflicts_with = "blend")]
+    painter: bool,
     /// What the opacity of all materials is multiplied by with --blend, 0 to 1 in steps of 1/256
     #[arg(
         long,
@@ -29,7 +36,8 @@ pub(super) struct BlendingOptions {
 
 impl BlendingOptions {
     pub(super) const fn over(&self, view: View) -> View {
-        let Self { blend: blending, opacity } = *self;
+        let Self { blend, painter, opacity } = *self;
+        let blending = if painter { Blending::By(Blend::Replace) } else { blend };
         View { blending, opacity, background: BACKGROUND, ..view }
     }
 }

@@ -6,6 +6,7 @@ use host_tools::{
         View,
     },
     model::Model,
+    reference::Blend,
 };
 use serde::Serialize;
 
@@ -94,6 +95,8 @@ impl Settings {
         };
         let blend = if self.blend == name(&Blending::NAMES, Blending::Replace) {
             String::new()
+        } else if self.blend == name(&Blending::NAMES, Blending::By(Blend::Replace)) {
+            ", from back to front without a depth buffer".to_owned()
         } else {
             format!(", blended by {} at {} of its opacity", self.blend, self.opacity)
         };
