@@ -21,7 +21,7 @@ fn every_mode_passes() {
                 let view = View { blending: Blending::By(blend), opacity, shading, ..FRONT };
                 let found = blended(&model, &view);
                 let worst = found.blend_worst.unwrap();
-                assert!(worst.bound_steps >= 0.5, "{found:?}");
+                assert!(worst.bound_steps >= 0.5 || blend == Blend::Replace, "{found:?}");
                 // What replaces is not rounded.
                 assert_eq!(found.blend_max_error > 0.0, blend != Blend::Replace, "{found:?}");
                 assert_eq!(found.blend_layer_max_error > 0.0, shading == Shading::Gouraud);
