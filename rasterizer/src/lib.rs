@@ -156,6 +156,7 @@
 //! | depth of blended pixels | the blending | stored, or with [`KeepDepth`](output::KeepDepth) left |
 //! | depth of triangles | [`Object::biased`](scene::Object::biased) | theirs, or moved by a [`Bias`](raster::Bias) |
 //! | lines | a table of vertices, [`Lines`](mesh::Lines) | [`Projected::lines`](scene::Projected::lines): in one colour or by the shader, over the triangles or alone; hidden ones left out after [`draw_depth`](scene::Projected::draw_depth) |
+//! | points | a table of vertices, [`Points`](mesh::Points) | [`Projected::points`](scene::Projected::points): squares of a size in pixels, in one colour or by the shader |
 //! | alpha | the blending's factor, the shader, the texels | an [`Alpha`](color::Alpha) for the object, [`MaterialOpacity`](output::MaterialOpacity), [`Faded`](shade::Faded) by vertices, [`Translucent`](texture::Translucent) by texels |
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`GlossyGouraud`](shade::GlossyGouraud), [`Phong`](shade::Phong), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
 //! | fog | a shader around another one | [`Fogged`](shade::Fogged), [`AtPixels`](shade::AtPixels) or [`AtVertices`](shade::AtVertices) |

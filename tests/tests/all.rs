@@ -34,6 +34,7 @@ mod perspective;
 mod pictures;
 mod placement;
 mod placement_table;
+mod points;
 mod seam;
 #[cfg(not(rasterizer_narrow))]
 mod sending;

@@ -48,6 +48,7 @@
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | which pixels of a line | `line.rs` | Vulkan specification, "Bresenham line segment rasterization" |
+//! | which pixels of a point | `point.rs` | Vulkan specification, "Basic point rasterization" |
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
 //! | what outlines enclose | `winding.rs` | Shimrat, "Algorithm 112: Position of point relative to polygon", CACM 5(8), 1962 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
@@ -77,6 +78,7 @@ mod line;
 mod mesh;
 mod mipmaps;
 mod picture;
+mod point;
 mod polygon;
 #[cfg(test)]
 pub(crate) mod random;
@@ -101,6 +103,7 @@ pub use line::Line;
 pub use mesh::{Corner, Culling, Mesh};
 pub use mipmaps::Mipmaps;
 pub use picture::{Fragment, Picture};
+pub use point::Point;
 pub use polygon::{Plane, triangulate};
 pub use sample::Sample;
 pub use scene::draw_scene;

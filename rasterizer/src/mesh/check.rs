@@ -10,8 +10,6 @@ pub enum MeshError {
     NoVertices,
     /// There are more vertices than 16-bit indices can name.
     TooManyVertices,
-    /// There are no triangles.
-    NoTriangles,
     /// A triangle has the index of a vertex that does not exist.
     IndexOutOfRange {
         /// The triangle's place in the table, from 0.
@@ -21,6 +19,11 @@ pub enum MeshError {
     LineOutOfRange {
         /// The line's place in the table, from 0.
         line: usize,
+    },
+    /// A point has the index of a vertex that does not exist.
+    PointOutOfRange {
+        /// The point's place in the table, from 0.
+        point: usize,
     },
     /// `vertex_normals` is neither empty nor as long as `positions`.
     VertexNormalCount,
@@ -57,9 +60,9 @@ impl MeshError {
             Self::TooManyVertices => {
                 "the mesh has more than 65,536 vertices: split it into several"
             }
-            Self::NoTriangles => "the mesh has no triangles",
             Self::IndexOutOfRange { .. } => "a triangle names a vertex past the end of `positions`",
             Self::LineOutOfRange { .. } => "a line names a vertex that the mesh does not have",
+            Self::PointOutOfRange { .. } => "a point names a vertex that the mesh does not have",
             Self::VertexNormalCount => "`vertex_normals` must be empty or as long as `positions`",
             Self::FaceNormalCount => "`face_normals` must be empty or as long as `triangles`",
             Self::TextureCoordinateCount => {
@@ -87,6 +90,7 @@ impl core::fmt::Display for MeshError {
         match self {
             Self::IndexOutOfRange { triangle } => write!(f, " (triangle {triangle})"),
             Self::LineOutOfRange { line } => write!(f, " (line {line})"),
+            Self::PointOutOfRange { point } => write!(f, " (point {point})"),
             Self::FinishExponent { material } => write!(f, " (material {material})"),
             Self::TextureRange { vertex } => write!(f, " (vertex {vertex})"),
             _ => Ok(()),
@@ -104,9 +108,6 @@ pub(super) const fn tables(tables: &Tables<'_>) -> Result<(), MeshError> {
     }
     if vertices > 1 << 16 {
         return Err(MeshError::TooManyVertices);
-    }
-    if tables.triangles.is_empty() {
-        return Err(MeshError::NoTriangles);
     }
     if let Err(error) = indices(&tables.triangles, vertices) {
         return Err(error);

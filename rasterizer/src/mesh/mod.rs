@@ -14,6 +14,7 @@ mod columns;
 mod finish;
 mod lines;
 mod material;
+mod points;
 mod vertex;
 
 pub use bounds::BoundingBox;
@@ -23,6 +24,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 pub use finish::Finish;
 pub use lines::{Lines, Segments};
 pub use material::MeshMaterial;
+pub use points::{PointIndices, Points};
 pub use vertex::{MeshFace, MeshVertex, RequiredTables};
 
 use crate::numbers::{Scale, Vec3};
@@ -208,7 +210,7 @@ mod tests {
             Mesh::new(tables).unwrap_err()
         };
         assert_eq!(fault(|t| t.positions = Positions::I16(&[])), MeshError::NoVertices);
-        assert_eq!(fault(|t| t.triangles = Triangles::U8(&[])), MeshError::NoTriangles);
+        assert_eq!(fault(|t| t.triangles = Triangles::U8(&[])), MeshError::MaterialCoverage);
         assert_eq!(
             fault(|t| t.triangles = Triangles::U16(&[[0, 1, 2], [0, 4, 1]])),
             MeshError::IndexOutOfRange { triangle: 1 }

@@ -7,8 +7,9 @@ use crate::attribute::{DepthFormat, Interpolate};
 
 /// A shape on the screen: it visits the spans of pixels that it covers.
 ///
-/// The core has the [`Triangle`](super::Triangle) and the [`Line`](super::Line). A target draws any
-/// primitive, so that a new one takes no change in a target, nor a new target in a primitive.
+/// The core has the [`Triangle`](super::Triangle), the [`Line`](super::Line) and the
+/// [`Point`](super::Point). A target draws any primitive, so that a new one takes no change in a
+/// target, nor a new target in a primitive.
 pub trait Primitive {
     /// How its depth is kept.
     type Depth: DepthFormat;

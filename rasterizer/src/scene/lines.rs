@@ -2,11 +2,10 @@
 
 use fixed::types::U0F32;
 
-use super::{Mode, Projected, Vertices, seen::Seen, vertices::Lookup as _};
+use super::{Mode, Projected, Vertices, seen::Seen, style::Style, vertices::Lookup as _};
 use crate::{
-    attribute::DepthFormat,
     geometry::{Clipping, Projection, ScreenVertex, clip_line},
-    mesh::{Lines, Material, MeshMaterial, MeshVertex},
+    mesh::{Lines, MeshVertex},
     output::{Blending, Target},
     raster::{Fragment, Line},
     shade::{OnScreen, Sample, Shader},
@@ -23,11 +22,9 @@ type DepthOf<V, Sh> = <V as Vertices<OnScreen<Sh>>>::Depth;
 /// against depth like them. It has no front and no back.
 #[derive(Clone, Copy, Debug)]
 pub struct ProjectedLines<'p, 'a, V, P: Projection, Sh: Shader, M> {
-    seen: &'p Seen<'a, V, P, Sh, M>,
+    pub(super) seen: &'p Seen<'a, V, P, Sh, M>,
     lines: &'p Lines<'p>,
-    width: u8,
-    nearer: U0F32,
-    material: usize,
+    pub(super) style: Style,
 }
 
 impl<'a, V, P: Projection, Sh: Shader, M, O> Projected<'a, V, P, Sh, M, O> {
@@ -36,8 +33,7 @@ impl<'a, V, P: Projection, Sh: Shader, M, O> Projected<'a, V, P, Sh, M, O> {
     /// They are drawn after its triangles or without them, by the same vertices, one pixel wide.
     #[must_use]
     pub const fn lines<'p>(&'p self, lines: &'p Lines<'p>) -> ProjectedLines<'p, 'a, V, P, Sh, M> {
-        let nearer = U0F32::ZERO;
-        ProjectedLines { seen: &self.seen, lines, width: 1, nearer, material: 0 }
+        ProjectedLines { seen: &self.seen, lines, style: Style::PLAIN }
     }
 }
 
@@ -45,7 +41,7 @@ impl<V, P: Projection, Sh: Shader, M> ProjectedLines<'_, '_, V, P, Sh, M> {
     /// The same lines in another width in pixels.
     #[must_use]
     pub const fn wide(self, width: u8) -> Self {
-        Self { width, ..self }
+        Self { style: Style { pixels: width, ..self.style }, ..self }
     }
 
     /// The same lines moved towards the viewer by so much depth (near / w; 2<sup>-16</sup> is a
@@ -55,14 +51,14 @@ impl<V, P: Projection, Sh: Shader, M> ProjectedLines<'_, '_, V, P, Sh, M> {
     /// there: give that object a [`Bias`](crate::raster::Bias) instead, which depends on its slope.
     #[must_use]
     pub const fn nearer(self, depth: U0F32) -> Self {
-        Self { nearer: depth, ..self }
+        Self { style: Style { nearer: depth, ..self.style }, ..self }
     }
 
     /// The same lines in another material of the mesh, by its place in the table; at first it is
     /// the first one. It tells [`draw`](Self::draw) a colour.
     #[must_use]
     pub const fn of_material(self, index: usize) -> Self {
-        Self { material: index, ..self }
+        Self { style: Style { material: index, ..self.style }, ..self }
     }
 }
 
@@ -84,11 +80,12 @@ where
         M::Blending: Blending<T>,
     {
         let window = target.window().intersection(&self.seen.viewport);
-        let blending = self.seen.mode.blending().of_material(&self.mesh_material());
+        let material = self.style.mesh_material(self.seen.tables());
+        let blending = self.seen.mode.blending().of_material(&material);
         self.for_each_on_screen(|ends| {
             let ends: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 2] =
                 ends.map(|end| ScreenVertex::new(end.x, end.y, end.depth, []));
-            let line = Line::between(ends.each_ref(), self.width);
+            let line = Line::between(ends.each_ref(), self.style.pixels);
             blending.fill(target, &line, &window, color)
         })
     }
@@ -107,31 +104,22 @@ where
         Sh: Shader<Face = ()>,
     {
         let window = target.window().intersection(&self.seen.viewport);
-        let blending = self.seen.mode.blending().of_material(&self.mesh_material());
+        let material = self.style.mesh_material(self.seen.tables());
+        let blending = self.seen.mode.blending().of_material(&material);
         let mut surface = None;
-        self.seen.prepare(self.material(), &mut surface);
+        self.seen.prepare(self.style.material(self.seen.tables()), &mut surface);
         let Some(surface) = &surface else { return Ok(()) };
         self.for_each_on_screen(|ends| {
-            let line = Line::between(ends.each_ref(), self.width);
+            let line = Line::between(ends.each_ref(), self.style.pixels);
             let pixel =
                 |fragment: Fragment<Sample<Sh>>| self.seen.shader.pixel(surface, &(), fragment);
             blending.shade(target, &line, &window, pixel)
         })
     }
 
-    /// The material and its place; a black one if the mesh has none there.
-    fn material(&self) -> (usize, &Material) {
-        const BLACK: Material = Material::new([0; 3], 0);
-        (self.material, self.seen.tables().materials.get(self.material).unwrap_or(&BLACK))
-    }
-
-    fn mesh_material(&self) -> MeshMaterial<'_> {
-        MeshMaterial::new(self.seen.tables(), self.material())
-    }
-
     /// Visits the ends of the lines, or of the parts of them that are left after clipping.
     #[inline(never)]
-    fn for_each_on_screen<E>(
+    pub(super) fn for_each_on_screen<E>(
         &self,
         mut visit: impl FnMut(Ends<V, Sh>) -> Result<(), E>,
     ) -> Result<(), E> {
@@ -153,22 +141,10 @@ where
                 None
             };
             if let Some(ends) = ends {
-                visit(ends.map(|end| self.moved(end)))?;
+                visit(ends.map(|end| self.style.moved(end)))?;
             }
         }
         Ok(())
-    }
-
-    /// An end, nearer by the lines' depth.
-    fn moved(
-        &self,
-        end: ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>,
-    ) -> ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>> {
-        if self.nearer == U0F32::ZERO {
-            return end;
-        }
-        let depth = end.depth.to_fraction().saturating_add(self.nearer);
-        ScreenVertex::new(end.x, end.y, V::Depth::from_fraction(depth.to_bits()), end.varyings)
     }
 
     /// The part of a line between near plane, far plane and guard band.

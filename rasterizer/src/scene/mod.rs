@@ -23,9 +23,11 @@ mod mode;
 mod needs;
 mod order;
 mod painter;
+mod points;
 mod projected;
 mod seen;
 mod sort;
+mod style;
 mod vertices;
 
 pub use back_to_front::BackToFront;
@@ -36,6 +38,7 @@ pub use mode::{Mode, Modes};
 pub use needs::Needs;
 pub use order::{MeshOrder, Order};
 pub use painter::{DrawnInto, Objects, Painter};
+pub use points::ProjectedPoints;
 pub use projected::Projected;
 pub use vertices::{OnDemand, Vertices};
 
