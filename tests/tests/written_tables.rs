@@ -67,3 +67,22 @@ fn textures_compile_in_every_format() {
         compiles(&directory, TextureOptions { format, color, alpha, ..TextureOptions::default() });
     }
 }
+
+/// With faces and without, in both types of indices.
+#[test]
+fn lines_and_points_compile() {
+    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join("written_lines");
+    fs::create_dir_all(&directory).unwrap();
+    let places =
+        |count: u32| -> String { (0..count).map(|i| format!("v {i} 0 {}\n", i % 7)).collect() };
+    let many: String = (1..300).map(|i| format!("l {i} {}\np {i}\n", i + 1)).collect();
+    for (obj, index) in [
+        (format!("{}f 1 2 3\nl 1 4\nl 4 5\np 1 2\n", places(5)), "U8(&LINES_0)"),
+        (format!("{}l 1 2\n", places(2)), "U8(&LINES_0)"),
+        (format!("{}{many}", places(300)), "U16(&POINTS_0)"),
+    ] {
+        fs::write(directory.join("a.obj"), obj).unwrap();
+        let source = compiles(&directory, TextureOptions::default());
+        assert!(source.contains(index), "{source}");
+    }
+}

@@ -38,6 +38,7 @@ mod fog;
 mod layers;
 mod light_levels;
 mod lights;
+mod lines;
 mod matcap;
 mod normals;
 mod object;
@@ -52,7 +53,6 @@ mod surface;
 mod tests;
 mod textured;
 mod view;
-mod wireframe;
 
 use std::time::{Duration, Instant};
 
@@ -65,12 +65,12 @@ pub use display::{Colors, Display, DisplayOutcome, Matrix};
 pub use filter::{Filter, Precision, Right, Seen};
 pub use fog::{Fog, FogBy};
 pub use lights::{Lamp, MOST_LIGHTS, Sun, ViewLights};
+pub use lines::{Edges, LineOptions, render_with_lines, wireframe};
 pub use normals::NormalErrors;
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use shading::Shading;
 pub use view::{Projection, Subpixel, View, ViewError};
-pub use wireframe::wireframe;
 
 use crate::{model::Model, reference};
 use blending::Layers;
@@ -223,14 +223,19 @@ pub fn check(model: &Model, view: &View) -> Result<Checked, ViewError> {
     Checker::new(model).check(view)
 }
 
-/// Draws a model by the fixed-point core alone: blended with itself and the background if the view
-/// blends.
+/// Draws a model by the fixed-point core alone, with the lines and points of its file: blended with
+/// itself and the background if the view blends.
 ///
 /// # Errors
 ///
 /// Returns an error if the view's numbers are out of range, or if the core cannot draw the model in
 /// it.
 pub fn render(model: &Model, view: &View) -> Result<FixedPicture, ViewError> {
+    render_with_lines(model, view, LineOptions::default())
+}
+
+/// Draws the surfaces of a model by the core.
+fn surfaces(model: &Model, view: &View) -> Result<FixedPicture, ViewError> {
     // The surface is for the reference, which isn't drawn.
     let surface = Surface::default();
     let skins = Skins::new(model, &surface, skins::of_materials(model));

@@ -8,10 +8,10 @@ mod colored;
 mod display;
 mod filter;
 mod fog;
+mod lines;
 mod matcap;
 mod shiny;
 mod textured;
-mod wireframe;
 
 use super::*;
 use crate::{

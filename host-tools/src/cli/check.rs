@@ -34,7 +34,7 @@ Examples:
   host-tools check model.obj --shading phong --light 1,2,2,0.5 --lamp 0,0.5,1.5,1
   host-tools check model.obj --blend over --opacity 0.5
 
-What is judged:
+What is judged, of faces alone (not of lines and points):
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
                 against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic. Of a texture,
                 each coordinate against the exact one, in texels: within 1/16 texel or 1/256 pixel,
@@ -145,6 +145,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         allow_directory(directory)?;
     }
     let model = convert::load(path, &arguments.view.conversion())?;
+    refuse_without_faces(path, &model)?;
     let view = arguments.view.view(Shading::of(&model));
     let worst = worst_frame(path, &model, &view, frames)?;
     if !worst.checked.outcome.shows_something() {
@@ -199,6 +200,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         text + &table::legend(&legend)
     };
     Ok(Done { output: text.into(), is_within_bounds })
+}
+
+/// Refuses a model of lines and points alone, and warns of those beside faces.
+pub(super) fn refuse_without_faces(path: &Path, model: &Model) -> Result<()> {
+    let path = path.display();
+    if model.report.triangles == 0 {
+        bail!(
+            "{path} has lines and points but no faces to judge: `host-tools convert {path}` writes \
+             its tables, and `host-tools render {path}` draws it"
+        );
+    }
+    if model.report.lines + model.report.points > 0 {
+        let text = format!("{path}: lines and points are not judged, and not in these pictures");
+        output::complain("warning", &text);
+    }
+    Ok(())
 }
 
 /// Checks every frame of the turntable and returns the worst: one that exceeds a bound, if any

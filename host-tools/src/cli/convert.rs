@@ -38,7 +38,8 @@ Examples:
   export | host-tools convert - -o - > model.rs       Standard input and output
 
 Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL`. The textures of
-its materials are `model::MODEL_TEXTURES`, its edges `model::MODEL_EDGES`.";
+its materials are `model::MODEL_TEXTURES`, its edges `model::MODEL_EDGES`; its lines (`l`) and points
+(`p`) are `model::MODEL_LINES` and `model::MODEL_POINTS`, a table for each material.";
 
 /// Write a model as const tables in Rust
 #[derive(Debug, Args)]
@@ -148,17 +149,28 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         if let Some(textures) = &model.textures {
             write!(text, "{textures}")?;
         }
-        let name = &model.name;
-        let statics = match (model.edges.is_empty(), model.textures.is_none()) {
-            (true, true) => format!("static {name}"),
-            (true, false) => format!("statics {name} and {name}_TEXTURES"),
-            (false, true) => format!("statics {name} and {name}_EDGES"),
-            (false, false) => format!("statics {name}, {name}_EDGES and {name}_TEXTURES"),
-        };
-        writeln!(text, "\nWrote {}: {statics}", path.display())?;
+        writeln!(text, "\nWrote {}: {}", path.display(), statics(&model))?;
         text
     };
     Ok(text.into())
+}
+
+/// The names of a model's statics.
+pub(super) fn statics(model: &Model) -> String {
+    let name = &model.name;
+    let others = [
+        (!model.edges.is_empty(), "EDGES"),
+        (!model.lines.is_empty(), "LINES"),
+        (!model.points.is_empty(), "POINTS"),
+        (model.textures.is_some(), "TEXTURES"),
+    ];
+    let others = others.iter().filter(|(exists, _)| *exists);
+    let others: Vec<_> = others.map(|(_, ending)| format!("{name}_{ending}")).collect();
+    match others.split_last() {
+        None => format!("static {name}"),
+        Some((last, [])) => format!("statics {name} and {last}"),
+        Some((last, others)) => format!("statics {name}, {} and {last}", others.join(", ")),
+    }
 }
 
 fn json(arguments: &Arguments, path: &Path, model: &Model) -> Result<String> {

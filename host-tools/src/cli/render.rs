@@ -9,7 +9,8 @@ use clap::{
 };
 use host_tools::{
     check::{
-        self, BACKGROUND, Colors, Display, FixedPicture, Fog, Matrix, Shading, View, ViewError,
+        self, BACKGROUND, Colors, Display, Edges, FixedPicture, Fog, LineOptions, Matrix, Shading,
+        View, ViewError,
     },
     model::{Model, Options},
 };
@@ -35,7 +36,11 @@ Examples:
   host-tools render model.obj --supersample 4        Smooth edges
   host-tools render model.obj --hidden-lines --edges 30  The edges that can be seen
   host-tools render model.obj --painter             Without a depth buffer
+  host-tools render model.obj --wireframe-over --line-color ffffff --line-width 2
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
+
+/// The widest line and the largest point, so that four samples of each pixel fit 8 bits.
+const MOST_PIXELS: i64 = 63;
 
 /// Draw a model with the fixed-point core, as a display shows it
 #[derive(Debug, Args)]
@@ -64,6 +69,28 @@ pub(super) struct Arguments {
     /// The same without the lines that the model hides
     #[arg(long, group = "lines")]
     hidden_lines: bool,
+    /// Draw these edges over the shaded surfaces
+    #[arg(long, group = "lines")]
+    wireframe_over: bool,
+    /// The colour of edges in hexadecimal [default: light; over surfaces dark]
+    #[arg(long, value_name = "RRGGBB", requires = "lines", value_parser = color)]
+    line_color: Option<Color>,
+    /// The width of edges, and of the file's lines (`l`), in pixels
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        default_value_t = 1,
+        value_parser = clap::value_parser!(u8).range(1..=MOST_PIXELS)
+    )]
+    line_width: u8,
+    /// The size of the file's points (`p`) in pixels
+    #[arg(
+        long,
+        value_name = "PIXELS",
+        default_value_t = 3,
+        value_parser = clap::value_parser!(u8).range(1..=MOST_PIXELS)
+    )]
+    point_size: u8,
     /// Only edges in which faces meet at this angle or more, and borders
     #[arg(
         long,
@@ -81,6 +108,20 @@ pub(super) struct Arguments {
     rgb565: bool,
     #[command(flatten)]
     view: ViewOptions,
+}
+
+impl Arguments {
+    fn drawn_edges(&self) -> Edges {
+        if self.wireframe {
+            Edges::All
+        } else if self.hidden_lines {
+            Edges::Visible
+        } else if self.wireframe_over {
+            Edges::Over
+        } else {
+            Edges::None
+        }
+    }
 }
 
 /// Refuses the ending of another format.
@@ -108,8 +149,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let path =
         (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".png"));
     let is_standard = output::is_standard(&path);
-    let has_lines = arguments.wireframe || arguments.hidden_lines;
-    let edges_degrees = has_lines.then_some(arguments.edges.unwrap_or(0.0));
+    let edges = arguments.drawn_edges();
+    let edges_degrees = (edges != Edges::None).then_some(arguments.edges.unwrap_or(0.0));
     let conversion = Options { edges_degrees, ..arguments.view.conversion() };
     let model = convert::load(&arguments.model, &conversion)?;
     if !is_standard {
@@ -135,17 +176,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         MAX_SIZE / side
     );
 
+    let lines = LineOptions {
+        edges,
+        edge_color: arguments.line_color.map_or_else(
+            || if edges == Edges::Over { Edges::DARK } else { Edges::LIGHT },
+            |Color(color)| color,
+        ),
+        line_width: arguments.line_width * side as u8,
+        point_size: arguments.point_size * side as u8,
+    };
     let mut is_empty = true;
     let bytes = {
         let progress = Progress::over(frames, "drawing");
         let images = (0..frames).map(|frame| {
             let view = View { size: samples, ..view.turned(frame, frames) };
-            let picture = if has_lines {
-                check::wireframe(&model, &view, arguments.hidden_lines)
-                    .map_err(|error| refused(&arguments.model, &error))?
-            } else {
-                draw(&arguments.model, &model, &view)?
-            };
+            let picture = check::render_with_lines(&model, &view, lines)
+                .map_err(|error| refused(&arguments.model, &error))?;
             is_empty &= picture.pixels.iter().all(|pixel| pixel.depth == 0);
             let image = image::of_fixed(&picture, background).resolved(side);
             progress.step();

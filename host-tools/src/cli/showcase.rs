@@ -13,7 +13,7 @@ use host_tools::{
 
 use super::{
     Done,
-    check::{Pictures, worst_frame, write_pictures},
+    check::{Pictures, refuse_without_faces, worst_frame, write_pictures},
     convert, image,
     output::{self, Overwriting},
     png, render, table,
@@ -47,6 +47,7 @@ struct Shown {
 
 fn show(path: &Path, force: bool) -> Result<Shown> {
     let model = convert::load(path, &Options::default())?;
+    refuse_without_faces(path, &model)?;
     let view = View { shading: Shading::of(&model), ..View::default() };
     let picture = image::of_fixed(&render::draw(path, &model, &view)?, BACKGROUND);
     let worst = worst_frame(path, &model, &view, FRAMES)?;
@@ -77,11 +78,11 @@ fn show(path: &Path, force: bool) -> Result<Shown> {
     let bounds = Bounds::ARITHMETIC;
     let name = &model.name;
     let module = module_name(name);
-    let (statics, with_textures) = if model.textures.is_some() {
-        let textures = format!("{name}_TEXTURES");
-        (format!("statics {name} and {textures}"), format!(" with `{module}::{textures}`"))
+    let statics = convert::statics(&model);
+    let with_textures = if model.textures.is_some() {
+        format!(" with `{module}::{name}_TEXTURES`")
     } else {
-        (format!("static {name}"), String::new())
+        String::new()
     };
     let text = format!(
         "\

@@ -10,7 +10,7 @@ use std::fmt::{Display, Write as _};
 use rasterizer::mesh::{Finish, Material};
 
 use super::{
-    Indices, Model, TextureTable, emit_textures,
+    Indices, Model, TextureTable, emit_lines, emit_textures,
     report::{grouped, thousands},
 };
 
@@ -24,7 +24,9 @@ pub fn source(model: &Model) -> String {
     // Writing to a string cannot fail.
     let _ = header(&mut out, model)
         .and_then(|()| mesh(&mut out, model))
-        .and_then(|()| edges(&mut out, model))
+        .and_then(|()| emit_lines::edges(&mut out, model))
+        .and_then(|()| emit_lines::lines(&mut out, model))
+        .and_then(|()| emit_lines::points(&mut out, model))
         .and_then(|()| emit_textures::textures(&mut out, model));
     out
 }
@@ -81,18 +83,20 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     writeln!(out, "#[rustfmt::skip]")?;
     writeln!(out, "pub static {name}: ::rasterizer::mesh::Mesh<'static> = {{")?;
     writeln!(out, "    use ::rasterizer::{{")?;
+    let has_triangles = !model.triangles.as_triangles().is_empty();
     let is_textured = !model.texture_coordinates.as_column().is_empty();
     let columns: String = [
         (!model.finishes.is_empty(), "Finish, "),
-        (true, "Material, Mesh, "),
-        (!(model.vertex_normals.is_empty() && model.face_normals.is_empty()), "Normals, "),
-        (true, "Positions, Tables, "),
-        (is_textured, "TextureCoordinates, "),
+        (true, "Material, Mesh"),
+        (!(model.vertex_normals.is_empty() && model.face_normals.is_empty()), ", Normals"),
+        (true, ", Positions, Tables"),
+        (is_textured, ", TextureCoordinates"),
+        (has_triangles, ", Triangles"),
     ]
     .into_iter()
     .filter_map(|(used, names)| used.then_some(names))
     .collect();
-    writeln!(out, "        mesh::{{{columns}Triangles}},")?;
+    writeln!(out, "        mesh::{{{columns}}},")?;
     writeln!(out, "        numbers::{{Scale, Vec3}},")?;
     writeln!(out, "    }};")?;
     table(out, "POSITIONS", "[i16; 3]", model.positions.iter().map(row))?;
@@ -144,33 +148,15 @@ fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {
     if !model.vertex_colors.is_empty() {
         writeln!(out, "        vertex_colors: &VERTEX_COLORS,")?;
     }
-    writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
+    if has_triangles {
+        writeln!(out, "        triangles: Triangles::{index}(&TRIANGLES),")?;
+    }
     writeln!(out, "        materials: &MATERIALS,")?;
     if !model.finishes.is_empty() {
         writeln!(out, "        finishes: &FINISHES,")?;
     }
     writeln!(out, "        ..Tables::EMPTY")?;
     writeln!(out, "    }})")?;
-    writeln!(out, "}};")
-}
-
-/// The edges as lines, which the mesh checks.
-fn edges(out: &mut String, model: &Model) -> std::fmt::Result {
-    if model.edges.is_empty() {
-        return Ok(());
-    }
-    let (name, count) = (&model.name, model.edges.len());
-    let (format, entry_type) = match model.triangles {
-        Indices::U8(_) => ("U8", "[u8; 2]"),
-        Indices::U16(_) => ("U16", "[u16; 2]"),
-    };
-    writeln!(out)?;
-    writeln!(out, "/// {} edges of [`{name}`].", thousands(count))?;
-    writeln!(out, "#[rustfmt::skip]")?;
-    writeln!(out, "pub static {name}_EDGES: ::rasterizer::mesh::Lines<'static> = {{")?;
-    writeln!(out, "    use ::rasterizer::mesh::{{Lines, Segments}};")?;
-    table(out, "EDGES", entry_type, model.edges.iter().map(|edge| row(&edge.map(|i| i as i32))))?;
-    writeln!(out, "    Lines::new_const(&{name}, Segments::{format}(&EDGES))")?;
     writeln!(out, "}};")
 }
 
@@ -203,7 +189,7 @@ pub(super) fn rows(out: &mut String, entries: impl Iterator<Item = String>) -> s
     writeln!(out)
 }
 
-fn row<T: Display + Copy + Into<i32>, const N: usize>(numbers: &[T; N]) -> String {
+pub(super) fn row<T: Display + Copy + Into<i32>, const N: usize>(numbers: &[T; N]) -> String {
     let mut text = "[".to_owned();
     for (place, &n) in numbers.iter().enumerate() {
         text += if place > 0 { ", " } else { "" };

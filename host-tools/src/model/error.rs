@@ -61,27 +61,27 @@ pub enum ModelError {
         /// The file.
         path: PathBuf,
     },
-    /// The file has no `f` line.
+    /// The file has no `f`, `l` or `p` line.
     #[error(
-        "{} has vertices but no faces (lines `f 1 2 3`): export it as polygons, not as points \
-         or curves",
+        "{} has vertices but no faces (lines `f 1 2 3`), and no lines (`l 1 2`) or points (`p 1`): \
+         export it as polygons, not as curves",
         shown(.path)
     )]
     NoFaces {
         /// The file.
         path: PathBuf,
     },
-    /// All vertices of all faces coincide.
+    /// All vertices of all faces, lines and points coincide.
     #[error(
-        "{} has no size: all vertices of its faces lie at one point: export it again with more \
-         decimal places",
+        "{} has no size: all vertices of its faces, lines and points lie at one point: export it \
+         again with more decimal places",
         shown(.path)
     )]
     NoSize {
         /// The file.
         path: PathBuf,
     },
-    /// Every triangle is degenerate.
+    /// Every triangle is degenerate, and there are no lines and points.
     #[error(
         "{}: all {faces} faces have zero area: export it again with more decimal places",
         shown(.path)
@@ -274,6 +274,26 @@ pub enum LineFault {
     BadCorner {
         /// The corner.
         corner: String,
+    },
+    /// Fewer vertices than a line or a point needs.
+    #[error(
+        "`{keyword}` needs {needed} vertices or more and has {found}: complete the line or remove it"
+    )]
+    TooFewVertices {
+        /// `l` or `p`.
+        keyword: &'static str,
+        /// How many it needs.
+        needed: usize,
+        /// How many it has.
+        found: usize,
+    },
+    /// A vertex of a line or a point of another form than `v`, `v/vt`, `v//vn` or `v/vt/vn`.
+    #[error("`{vertex}` is not a vertex of `{keyword}`: write whole numbers as in 1 or 1/2")]
+    BadVertex {
+        /// `l` or `p`.
+        keyword: &'static str,
+        /// The vertex.
+        vertex: String,
     },
     /// Index 0.
     #[error("index 0 in `{corner}`: OBJ counts from 1 (or from -1 backwards)")]

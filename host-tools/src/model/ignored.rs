@@ -7,8 +7,6 @@ use super::{smoothing::Smoothing, source::Statement, warnings::Tally};
 /// The statements that are left out although they show something, or that are not understood.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Ignored {
-    lines: Tally,
-    points: Tally,
     curves: Tally,
     calls: Tally,
     nameless: Tally,
@@ -20,8 +18,6 @@ impl Ignored {
     /// Counts a statement if it is left out.
     pub(super) fn count(&mut self, path: &Path, statement: &Statement<'_>) {
         let tally = match statement.keyword() {
-            b"l" => &mut self.lines,
-            b"p" => &mut self.points,
             b"curv" | b"surf" | b"bsp" | b"bzp" | b"cdc" | b"cdp" => &mut self.curves,
             b"call" | b"csh" => &mut self.calls,
             b"usemtl" if statement.name().is_empty() => &mut self.nameless,
@@ -39,8 +35,6 @@ impl Ignored {
     /// Adds a warning for each kind.
     pub(super) fn warn(&self, warnings: &mut Vec<String>) {
         for (tally, singular, plural, keywords) in [
-            (&self.lines, "line element", "line elements", "`l`"),
-            (&self.points, "statement of points", "statements of points", "`p`"),
             (&self.curves, "curve or surface", "curves and surfaces", "`curv`, `surf`"),
             (&self.calls, "call of another file", "calls of other files", "`call`"),
         ] {
@@ -62,7 +56,7 @@ impl Ignored {
 
 /// The format's statements. Besides those that are read or counted, these name things, describe
 /// curves or set how Wavefront's renderers draw.
-const KNOWN: &str = "v vt vn f fo usemtl mtllib o g s mg vp cstype deg bmat step curv2 parm trim \
+const KNOWN: &str = "v vt vn f fo l p usemtl mtllib o g s mg vp cstype deg bmat step curv2 parm trim \
                      hole scrv sp end con ctech stech res bevel c_interp d_interp lod usemap \
                      maplib shadow_obj trace_obj";
 

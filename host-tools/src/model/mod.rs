@@ -6,15 +6,17 @@
 //! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
 //! values before rounding.
 //!
-//! The converter reads positions, normals, texture coordinates, faces, diffuse colours, textures
-//! and finishes of an OBJ file, the colours of its vertices (`v x y z r g b`), and its smoothing
-//! groups where it has no normals. What else a file shows and the tables cannot hold, such as
-//! lines, curves and textures of opacity, it leaves out with a warning for each kind.
+//! The converter reads positions, normals, texture coordinates, faces, lines, points, diffuse
+//! colours, textures and finishes of an OBJ file, the colours of its vertices (`v x y z r g b`),
+//! and its smoothing groups where it has no normals. What else a file shows and the tables cannot
+//! hold, such as curves and textures of opacity, it leaves out with a warning for each kind.
 
 mod cap;
 mod ears;
 mod edges;
+mod elements;
 pub mod emit;
+mod emit_lines;
 mod emit_textures;
 mod error;
 mod faces;
@@ -67,6 +69,7 @@ pub use textures::{
 pub use write::{convert_for_build, write_atomically};
 
 use libraries::Pictures;
+use polygons::Polygons;
 use smoothing::Smoothing;
 use triangulate::Triangle;
 use vector::{Vector, length, sub};
@@ -101,6 +104,10 @@ pub struct Model {
     pub triangles: Indices,
     /// The edges as lines between vertices, if they are made.
     pub edges: Vec<[u32; 2]>,
+    /// The lines of the file (`l`) between vertices, for each material; none if it has none.
+    pub lines: Vec<Vec<[u32; 2]>>,
+    /// The vertices that are points of the file (`p`), for each material; none if it has none.
+    pub points: Vec<Vec<u32>>,
     /// The colours and how many triangles each covers.
     pub materials: Vec<Material>,
     /// What the materials show besides, or none if all are matte and opaque.
@@ -130,6 +137,14 @@ impl Indices {
             Self::U8(triangles.iter().map(|t| t.map(|i| i as u8)).collect())
         } else {
             Self::U16(triangles.iter().map(|t| t.map(|i| i as u16)).collect())
+        }
+    }
+
+    /// The bytes of an index.
+    const fn index_bytes(&self) -> usize {
+        match self {
+            Self::U8(_) => 1,
+            Self::U16(_) => 2,
         }
     }
 
@@ -247,14 +262,17 @@ impl Model {
             };
         let rings = all.into_iter().map(|corner| corner.position).collect();
         checked.text = String::new();
-        if corners.is_empty() {
+        let has_elements = !(polygons.lines.is_empty() && polygons.points.is_empty());
+        if corners.is_empty() && !has_elements {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
-        let (used, ranks) = sort_by_material(&mut corners, polygons.colors.len());
+        let (used, ranks) = sort_by_material(&mut corners, &polygons);
         let loaded = match options.textures.filter(|_| pictures == Pictures::Kept) {
             None => None,
             Some(textures) => {
-                let wanted: Vec<_> = used.iter().map(|&(id, _)| libraries.wanted(id)).collect();
+                // Lines and points have no textures.
+                let wanted = |&(id, count)| libraries.wanted(id).filter(|_| count > 0);
+                let wanted: Vec<_> = used.iter().map(wanted).collect();
                 textures::load(path, &wanted, &textures, &mut checked.warnings)?
             }
         };
@@ -286,9 +304,11 @@ impl Model {
             Vec::new()
         };
         let welded = weld::weld(&corners, &normals, &polygons, options.contents);
-        at_most_16_bits(path, welded.positions.len())?;
 
-        let tables = order::Ordered::new(welded, &materials);
+        let mut tables = order::Ordered::new(welded, &materials);
+        let elements = elements::place(&polygons, &ranks, materials.len(), &mut tables.welded);
+        at_most_16_bits(path, tables.welded.positions.len())?;
+        let (lines, points) = (elements.line_count(), elements.point_count());
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
@@ -350,6 +370,8 @@ impl Model {
             triangles: Indices::new(&tables.welded.triangles, positions.len()),
             edges: (options.edges_degrees)
                 .map_or_else(Vec::new, |degrees| edges::edges(&exact.faces, degrees)),
+            lines: elements.lines,
+            points: elements.points,
             positions,
             scale,
             offset: fitted.offset,
@@ -363,6 +385,8 @@ impl Model {
                 file_vertices: checked.vertices,
                 file_faces: checked.faces,
                 triangles: tables.welded.triangles.len(),
+                lines,
+                points,
                 dropped_triangles,
                 turned_faces: if options.fix_winding { winding.turned() } else { 0 },
                 smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
@@ -432,11 +456,9 @@ impl Model {
                 Indices::U8(triangles) => size_of_val(&triangles[..]),
                 Indices::U16(triangles) => size_of_val(&triangles[..]),
             },
-            edges: self.edges.len()
-                * match self.triangles {
-                    Indices::U8(_) => size_of::<[u8; 2]>(),
-                    Indices::U16(_) => size_of::<[u16; 2]>(),
-                },
+            edges: 2 * self.edges.len() * self.triangles.index_bytes(),
+            lines: 2 * report.lines * self.triangles.index_bytes(),
+            points: report.points * self.triangles.index_bytes(),
             materials: size_of_val(&self.materials[..]),
             finishes: size_of_val(&self.finishes[..]),
             textures: self.textures.as_ref().map_or(0, Textures::bytes),
@@ -452,21 +474,25 @@ fn at_most_16_bits(path: &Path, count: usize) -> Result<(), ModelError> {
     }
 }
 
-/// Sorts triangles by material, in the order in which materials are first used. Lists the materials
-/// used, with the number of triangles of each, and for each of all `count` its place in that list.
+/// Sorts triangles by material, in the order in which materials are first used, and those of lines
+/// and points alone last. Lists the materials used, with the number of triangles of each, and for
+/// each of all its place in that list.
 fn sort_by_material(
     triangles: &mut [Triangle],
-    count: usize,
+    polygons: &Polygons,
 ) -> (Vec<(usize, u32)>, Vec<Option<usize>>) {
     let mut used: Vec<(usize, u32)> = Vec::new();
-    let mut ranks = vec![None; count];
-    for &Triangle { material, .. } in &*triangles {
+    let mut ranks = vec![None; polygons.colors.len()];
+    let mut rank = |material: usize, triangles| {
         let rank = *ranks[material].get_or_insert_with(|| {
             used.push((material, 0));
             used.len() - 1
         });
-        used[rank].1 += 1;
-    }
+        used[rank].1 += triangles;
+    };
+    triangles.iter().for_each(|triangle| rank(triangle.material, 1));
+    polygons.lines.iter().for_each(|line| rank(line.material, 0));
+    polygons.points.iter().for_each(|point| rank(point.material, 0));
     triangles.sort_by_key(|triangle| ranks[triangle.material]);
     (used, ranks)
 }

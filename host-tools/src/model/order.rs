@@ -126,8 +126,11 @@ impl Numbering {
 }
 
 /// Vertices transformed per triangle: from 0.5 (a large regular grid, at best) to 3 (nothing
-/// shared).
+/// shared); 0 without any.
 fn cache_miss_ratio(triangles: &[[u32; 3]], vertices: usize) -> f64 {
+    if triangles.is_empty() {
+        return 0.0;
+    }
     // The cache holds the vertices of the last `CACHE` misses.
     let mut last_miss = vec![None; vertices];
     let mut misses = 0_usize;

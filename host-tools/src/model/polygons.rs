@@ -1,8 +1,9 @@
-//! The polygons of an OBJ file, as `tobj` reads them.
+//! The polygons of an OBJ file, as `tobj` reads them, and its lines and points.
 
 use std::{collections::HashMap, path::Path};
 
 use super::{
+    elements::{Drawn, Element, End, FileVertex},
     error::ModelError,
     libraries::{self, Libraries},
     smoothing::Smoothing,
@@ -10,18 +11,22 @@ use super::{
     vector::{Vector, key},
 };
 
-/// All faces of a file.
+/// All faces of a file, its lines and its points.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Polygons {
-    /// The positions that faces use, each once, as written in the file.
+    /// The positions that all these use, each once, as written in the file.
     pub positions: Vec<Vector>,
     /// The corners of the faces, one face after the other.
     pub corners: Vec<Corner>,
     /// The faces.
     pub faces: Vec<Face>,
+    /// The lines.
+    pub lines: Vec<Drawn<2>>,
+    /// The points.
+    pub points: Vec<Drawn<1>>,
     /// The materials' colours.
     pub colors: Vec<[u8; 3]>,
-    /// The colours of vertices from 0 to 255, which corners name; none if the file has none.
+    /// The colours of vertices from 0 to 255, which these name; none if the file has none.
     pub vertex_colors: Vec<[f64; 3]>,
 }
 
@@ -131,7 +136,38 @@ pub(super) fn read(
             smoothing,
         }));
     }
+    let mut ends = HashMap::new();
+    for (&vertex, &FileVertex { position, color }) in &checked.elements.vertices {
+        let index = *known.entry(key(position)).or_insert_with(|| {
+            polygons.positions.push(position);
+            polygons.positions.len() as u32 - 1
+        });
+        let color = color.map_or(NO_COLOR, |color| {
+            polygons.vertex_colors.push(color);
+            polygons.vertex_colors.len() as u32 - 1
+        });
+        ends.insert(vertex, End { position: index, color });
+    }
+    let material = |name: Option<usize>| {
+        let chosen = name.and_then(|name| libraries.chosen.get(name).copied().flatten());
+        chosen.unwrap_or(libraries.materials.len())
+    };
+    let (lines, points) = (&checked.elements.lines, &checked.elements.points);
+    polygons.lines = lines.iter().map(|line| drawn(line, &ends, material)).collect();
+    polygons.points = points.iter().map(|point| drawn(point, &ends, material)).collect();
     Ok(polygons)
+}
+
+/// An element by the indices of its vertices and its material.
+fn drawn<const N: usize>(
+    element: &Element<usize, Option<usize>, N>,
+    ends: &HashMap<usize, End>,
+    material: impl Fn(Option<usize>) -> usize,
+) -> Drawn<N> {
+    Element {
+        vertices: element.vertices.map(|vertex| ends[&vertex]),
+        material: material(element.material),
+    }
 }
 
 fn nth<const N: usize>(values: &[f64], index: u32) -> [f64; N] {

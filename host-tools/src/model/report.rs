@@ -14,6 +14,10 @@ pub struct Report {
     pub vertices: usize,
     /// Triangles in the tables.
     pub triangles: usize,
+    /// Lines (`l`) in the tables.
+    pub lines: usize,
+    /// Points (`p`) in the tables.
+    pub points: usize,
     /// Triangles left out because they have no area.
     pub dropped_triangles: usize,
     /// Faces turned over to mend the winding.
@@ -57,6 +61,10 @@ pub struct Flash {
     pub triangles: usize,
     /// Two `u8` or `u16` an edge.
     pub edges: usize,
+    /// Two `u8` or `u16` a line.
+    pub lines: usize,
+    /// One `u8` or `u16` a point.
+    pub points: usize,
     /// One `Material` each.
     pub materials: usize,
     /// One `Finish` each.
@@ -68,7 +76,7 @@ pub struct Flash {
 impl Flash {
     /// The tables by name.
     #[must_use]
-    pub const fn tables(&self) -> [(&'static str, usize); 10] {
+    pub const fn tables(&self) -> [(&'static str, usize); 12] {
         [
             ("positions", self.positions),
             ("vertex_normals", self.vertex_normals),
@@ -77,6 +85,8 @@ impl Flash {
             ("vertex_colors", self.vertex_colors),
             ("triangles", self.triangles),
             ("edges", self.edges),
+            ("lines", self.lines),
+            ("points", self.points),
             ("materials", self.materials),
             ("finishes", self.finishes),
             ("textures", self.textures),
@@ -114,6 +124,11 @@ impl fmt::Display for Report {
             thousands(self.file_faces),
             thousands(self.dropped_triangles)
         )?;
+        for (count, name) in [(self.lines, "Lines"), (self.points, "Points")] {
+            if count > 0 {
+                writeln!(f, "{name}: {}", thousands(count))?;
+            }
+        }
         if self.turned_faces > 0 {
             writeln!(f, "Faces turned over: {}", thousands(self.turned_faces))?;
         }
@@ -140,13 +155,16 @@ impl fmt::Display for Report {
                 self.texture_error
             )?;
         }
-        writeln!(
-            f,
-            "Vertices transformed per triangle (cache of 16): {:.3}, in the file's order {:.3}",
-            self.cache_misses, self.cache_misses_before
-        )?;
+        if self.triangles > 0 {
+            writeln!(
+                f,
+                "Vertices transformed per triangle (cache of 16): {:.3}, in the file's order {:.3}",
+                self.cache_misses, self.cache_misses_before
+            )?;
+        }
         writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
-        const RARE: [&str; 4] = ["vertex_colors", "edges", "finishes", "textures"];
+        const RARE: [&str; 6] =
+            ["vertex_colors", "edges", "lines", "points", "finishes", "textures"];
         let is_shown = |&(name, bytes): &(&str, usize)| !RARE.contains(&name) || bytes > 0;
         for (name, bytes) in self.flash.tables().into_iter().filter(is_shown) {
             writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;

@@ -9,6 +9,7 @@ use super::{
 use crate::reference::random::Random;
 
 mod cutting;
+mod elements;
 mod large;
 mod reading;
 mod shipped;

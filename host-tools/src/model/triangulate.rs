@@ -248,7 +248,7 @@ mod tests {
                 .collect(),
             faces: vec![Face { arity: ring.len(), material: 0, smoothing: Smoothing::Unstated }],
             colors: vec![[0; 3]],
-            vertex_colors: Vec::new(),
+            ..Polygons::default()
         }
     }
 

@@ -17,6 +17,7 @@ use std::{
 
 use super::{
     Contents,
+    elements::Elements,
     error::{LineFault, ModelError},
     ignored::Ignored,
     quote::quote,
@@ -34,6 +35,8 @@ pub(super) struct Checked {
     /// have one from 0 to 255, or NaN. The names of materials are their indices in
     /// [`materials`](Self::materials).
     pub text: String,
+    /// Its lines and points.
+    pub elements: Elements,
     /// `mtllib` statements: line and argument.
     pub libraries: Vec<(usize, Vec<u8>)>,
     /// `usemtl` statements: line and name, each name once.
@@ -80,6 +83,7 @@ pub(super) fn check(
     let mut faces = String::new();
     let mut named = HashMap::new();
     let mut smoothing = Smoothing::Unstated;
+    let mut material = None;
     let mut unused = Unused::default();
     let mut ignored = Ignored::default();
     let colors = VertexColors::of(path, statements, contents, &mut checked.warnings);
@@ -113,6 +117,14 @@ pub(super) fn check(
                 checked.faces += 1;
                 checked.face_lines.push(statement.line);
             }
+            b"l" => {
+                let vertices = vertices(statement, "l", 2, seen, total).map_err(at_line)?;
+                checked.elements.add_lines(&vertices, material);
+            }
+            b"p" => {
+                let vertices = vertices(statement, "p", 1, seen, total).map_err(at_line)?;
+                checked.elements.add_points(&vertices, material);
+            }
             b"s" => smoothing = Smoothing::of(statement).unwrap_or(smoothing),
             b"mtllib" => checked.libraries.push((statement.line, statement.name().into())),
             b"usemtl" if !statement.name().is_empty() => {
@@ -121,22 +133,25 @@ pub(super) fn check(
                     checked.materials.push((statement.line, name.into()));
                     checked.materials.len() - 1
                 });
+                material = Some(index);
                 let _ = writeln!(faces, "usemtl {index}");
             }
             _ => {}
         }
         ignored.count(path, statement);
     }
-    if let Some((line, word)) = unused.first_used(&faces, contents) {
+    let used = || checked.elements.used().map(|vertex| vertex + 1);
+    if let Some((line, word)) = unused.first_used(&faces, used(), contents) {
         let fault = LineFault::NotFinite { word: quote(word) };
         return Err(ModelError::Line { path: path.into(), line, fault });
     }
-    if checked.faces == 0 {
+    if checked.faces == 0 && checked.elements.is_empty() {
         return Err(ModelError::NoFaces { path: path.into() });
     }
     let textured = Contents { texture_coordinates: true, ..contents };
     checked.broken_texture =
-        unused.first_used(&faces, textured).map(|(line, word)| (line, quote(word)));
+        unused.first_used(&faces, used(), textured).map(|(line, word)| (line, quote(word)));
+    checked.elements.read_vertices(statements, &colors);
     unused.warn(path, &mut checked.warnings);
     ignored.warn(&mut checked.warnings);
     let [v, vt, vn] = tables;
@@ -199,11 +214,18 @@ fn is_printed_nan(word: &[u8]) -> bool {
 struct Unused([BTreeMap<usize, (usize, Vec<u8>)>; 3]);
 
 impl Unused {
-    /// Returns the first line on which the result depends. `faces` are those for `tobj`; without
-    /// any of them, it is the first line of all.
-    fn first_used(&self, faces: &str, contents: Contents) -> Option<(usize, &[u8])> {
+    /// Returns the first line on which the result depends. `faces` are those for `tobj`, and
+    /// `vertices` those of lines and points, from 1; without any of them, it is the first line of
+    /// all.
+    fn first_used(
+        &self,
+        faces: &str,
+        vertices: impl Iterator<Item = usize>,
+        contents: Contents,
+    ) -> Option<(usize, &[u8])> {
         let all = || self.0.iter().flat_map(BTreeMap::values);
-        let used: Vec<&(usize, Vec<u8>)> = if faces.is_empty() {
+        let mut vertices = vertices.peekable();
+        let used: Vec<&(usize, Vec<u8>)> = if faces.is_empty() && vertices.peek().is_none() {
             all().collect()
         } else if all().next().is_none() {
             Vec::new()
@@ -214,6 +236,7 @@ impl Unused {
                 .flat_map(|corner| corner.split('/').enumerate())
                 .filter(|&(table, _)| is_kept[table])
                 .filter_map(|(table, index)| self.0[table].get(&index.parse().ok()?))
+                .chain(vertices.filter_map(|vertex| self.0[0].get(&vertex)))
                 .collect()
         };
         used.into_iter().min().map(|(line, word)| (*line, &word[..]))
@@ -241,7 +264,38 @@ fn face(
     seen: Counts,
     total: Counts,
 ) -> Result<Vec<[usize; 3]>, LineFault> {
-    let corners = statement
+    let corners = corners(statement, seen, total)?;
+    if corners.len() < 3 {
+        return Err(LineFault::TooFewCorners { found: corners.len() });
+    }
+    Ok(corners)
+}
+
+/// Returns the vertices of a line or of points as absolute indices from 1, at least `needed`.
+fn vertices(
+    statement: &Statement<'_>,
+    keyword: &'static str,
+    needed: usize,
+    seen: Counts,
+    total: Counts,
+) -> Result<Vec<usize>, LineFault> {
+    let corners = corners(statement, seen, total).map_err(|fault| match fault {
+        LineFault::BadCorner { corner } => LineFault::BadVertex { keyword, vertex: corner },
+        fault => fault,
+    })?;
+    if corners.len() < needed {
+        return Err(LineFault::TooFewVertices { keyword, needed, found: corners.len() });
+    }
+    Ok(corners.iter().map(|[vertex, ..]| *vertex).collect())
+}
+
+/// Returns corners as [`face`] does.
+fn corners(
+    statement: &Statement<'_>,
+    seen: Counts,
+    total: Counts,
+) -> Result<Vec<[usize; 3]>, LineFault> {
+    statement
         .arguments()
         .map(|corner| {
             let slashes = corner.iter().filter(|&&byte| byte == b'/').count();
@@ -256,11 +310,7 @@ fn face(
             }
             Ok(indices)
         })
-        .collect::<Result<Vec<_>, _>>()?;
-    if corners.len() < 3 {
-        return Err(LineFault::TooFewCorners { found: corners.len() });
-    }
-    Ok(corners)
+        .collect()
 }
 
 /// Returns an absolute index from 1. A negative one counts back from the last of those `seen` so
@@ -292,7 +342,13 @@ fn index(
 
 #[cfg(test)]
 mod tests {
-    use super::{super::source::statements, *};
+    use super::{
+        super::{
+            elements::{Element, FileVertex},
+            source::statements,
+        },
+        *,
+    };
 
     const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
@@ -342,9 +398,30 @@ mod tests {
     }
 
     #[test]
+    fn each_fault_of_a_line_or_a_point_names_its_line_and_what_to_do() {
+        let cases = [
+            ("l 1", ":4: `l` needs 2 vertices or more and has 1: complete"),
+            ("l", ":4: `l` needs 2 vertices or more and has 0"),
+            ("p", ":4: `p` needs 1 vertices or more and has 0"),
+            ("l 1 2 4", ":4: `4` names vertex 4, but there are 3"),
+            ("l 1/1 2", ":4: `1/1` names texture coordinate 1, but there are 0"),
+            ("l 1 0", ":4: index 0 in `0`: OBJ counts from 1"),
+            ("l 1 x", ":4: `x` is not a vertex of `l`: write whole numbers"),
+            ("p 1 -4", ":4: `-4` names vertex -4, but there are 3"),
+            ("p 1.5", ":4: `1.5` is not a vertex of `p`"),
+            ("v nan 0 0\np 4", ":4: `nan` is not a finite number"),
+            ("v nan 0 0\nl 1 -1", ":4: `nan` is not a finite number"),
+        ];
+        for (element, expected) in cases {
+            let text = format!("{TRIANGLE}{element}");
+            assert!(message(&text).contains(expected), "{element:?}: {}", message(&text));
+        }
+    }
+
+    #[test]
     fn statements_become_a_form_that_the_parser_reads_correctly() {
         let text = "v 0 0 0 0.5 # weight\nv 1 0 0 1 0 0\nv\t0 1 0\nvt 0.25\nvn 0 0 2\n\
-                    l 1 2 3\np 1\nusemtl\tdark red\nf 1/1 2//1 -1/-1/-1\nf 1 2 4\nv 5 5 5";
+                    l 1 2 3\np 1\nusemtl\tdark red\nf 1/1 2//1 -1/-1/-1\nl -2 4/1\nf 1 2 4\nv 5 5 5";
         let statements = statements(text.as_bytes());
         let checked = check(Path::new("m.obj"), &statements, Contents::default()).unwrap();
         assert_eq!(
@@ -355,6 +432,21 @@ mod tests {
         );
         assert_eq!((checked.vertices, checked.faces), (4, 2));
         assert_eq!((checked.corners, checked.textured_corners), (6, 2));
+        let line = |vertices, material| Element { vertices, material };
+        let lines = [line([0, 1], None), line([1, 2], None), line([1, 3], Some(0))];
+        assert_eq!(checked.elements.lines, lines);
+        assert_eq!(checked.elements.points, [Element { vertices: [0], material: None }]);
+        let vertex = |position, color| FileVertex { position, color };
+        let vertices: Vec<_> = checked.elements.vertices.into_iter().collect();
+        assert_eq!(
+            vertices,
+            [
+                (0, vertex([0.0; 3], None)),
+                (1, vertex([1.0, 0.0, 0.0], Some([255.0, 0.0, 0.0]))),
+                (2, vertex([0.0, 1.0, 0.0], None)),
+                (3, vertex([5.0; 3], None)),
+            ]
+        );
         assert_eq!(checked.materials, [(8, b"dark red".to_vec())]);
     }
 

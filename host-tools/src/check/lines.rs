@@ -1,0 +1,204 @@
+//! The edges, lines and points of a model, by the same calls as on a microcontroller.
+
+use embedded_graphics_core::pixelcolor::Rgb888;
+use rasterizer::{
+    camera::Camera,
+    fixed::types::{I0F32, I8F8},
+    geometry::{self, ScreenVertex},
+    mesh::{Lines, Mesh, PointIndices, Points, Segments},
+    numbers,
+    output::Frame,
+    raster::Bias,
+    scene::{Object, Projected},
+    shade::{Colored, OnScreen, Shader, Unlit},
+};
+
+use super::{
+    Blending, FixedPicture, Pixel,
+    drawing::{self, Drawing},
+    view::{View, ViewError},
+};
+use crate::model::Model;
+
+/// Moves surfaces behind the lines that lie in them: a line's pixels are up to half a pixel away
+/// from it, and depth is rounded.
+const BEHIND: Bias = Bias { slope: I8F8::lit("-1"), constant: I0F32::from_bits(-1 << 10) };
+
+/// How a model is drawn: which of its surfaces and [edges](Model::edges), and how large its lines
+/// and points are. Lines and points of the file are always drawn, in the colours of their materials
+/// or vertices, not lit and without fog.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct LineOptions {
+    /// Which edges are drawn.
+    pub edges: Edges,
+    /// The colour of edges.
+    pub edge_color: [u8; 3],
+    /// The width of edges and lines in pixels.
+    pub line_width: u8,
+    /// The size of points in pixels.
+    pub point_size: u8,
+}
+
+impl Default for LineOptions {
+    /// The surfaces with the lines and points of the file.
+    fn default() -> Self {
+        Self { edges: Edges::None, edge_color: Edges::LIGHT, line_width: 1, point_size: 3 }
+    }
+}
+
+/// Which edges of a model are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Edges {
+    /// None: surfaces alone.
+    None,
+    /// All, without surfaces, which hide nothing.
+    All,
+    /// Those that surfaces do not hide, without these.
+    Visible,
+    /// The same over the surfaces.
+    Over,
+}
+
+impl Edges {
+    /// A colour for edges on the background.
+    pub const LIGHT: [u8; 3] = [230, 236, 232];
+    /// A colour for edges on surfaces.
+    pub const DARK: [u8; 3] = [16, 22, 28];
+
+    /// Whether surfaces are shaded.
+    const fn has_surfaces(self) -> bool {
+        matches!(self, Self::None | Self::Over)
+    }
+}
+
+/// Draws the [edges](Model::edges) of a model, all of them or those that it does not hide, and the
+/// lines and points of its file, in the view's precision and with 32 bits of depth. The view's
+/// shading is not used.
+///
+/// # Errors
+///
+/// Returns an error if the view's numbers are out of range, or if the core cannot draw the model in
+/// it.
+pub fn wireframe(model: &Model, view: &View, hides_lines: bool) -> Result<FixedPicture, ViewError> {
+    let edges = if hides_lines { Edges::Visible } else { Edges::All };
+    render_with_lines(model, view, LineOptions { edges, ..LineOptions::default() })
+}
+
+/// Draws a model by the fixed-point core alone, with its edges: surfaces as
+/// [`render`](super::render) draws them.
+///
+/// Lines are tested against a depth of 32 bits in which surfaces lie behind their edges. In a view
+/// that blends, surfaces hide none.
+///
+/// # Errors
+///
+/// Returns an error if the view's numbers are out of range, or if the core cannot draw the model in
+/// it.
+pub fn render_with_lines(
+    model: &Model,
+    view: &View,
+    options: LineOptions,
+) -> Result<FixedPicture, ViewError> {
+    let surfaces = if options.edges.has_surfaces() && model.report.triangles > 0 {
+        super::surfaces(model, view)?
+    } else {
+        let pixels = view.size.iter().map(|&side| side as usize).product();
+        FixedPicture { size: view.size, pixels: vec![Pixel { color: [0; 3], depth: 0 }; pixels] }
+    };
+    let has_lines = options.edges != Edges::None || model.report.lines + model.report.points > 0;
+    if !has_lines {
+        return Ok(surfaces);
+    }
+    if model.vertex_colors.is_empty() {
+        drawing::draw(view, Over { model, view, options, surfaces, shader: Unlit::new() })
+    } else {
+        drawing::draw(view, Over { model, view, options, surfaces, shader: Colored::new() })
+    }
+}
+
+/// Lines and points over a picture.
+struct Over<'a, Sh> {
+    model: &'a Model,
+    view: &'a View,
+    options: LineOptions,
+    surfaces: FixedPicture,
+    /// Colours lines and points of the file.
+    shader: Sh,
+}
+
+impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'_, Sh> {
+    type Drawn = FixedPicture;
+
+    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
+        self,
+        camera: &Camera<P>,
+    ) -> Result<FixedPicture, ViewError> {
+        let Self { model, view, options, surfaces, shader } = self;
+        let mesh = model.mesh();
+        let object = Object::new(&mesh, shader).posed(view.pose()).biased(BEHIND);
+        let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
+        let seen = object.project(camera, &mut storage)?;
+
+        let background = view.background;
+        let shown = |pixel: &Pixel| if pixel.depth == 0 { background } else { pixel.color };
+        let mut colors: Vec<Rgb888> = (surfaces.pixels.iter().map(shown))
+            .map(|[red, green, blue]| Rgb888::new(red, green, blue))
+            .collect();
+        let mut depth = vec![0u32; colors.len()];
+        let hides = match options.edges {
+            Edges::All => false,
+            Edges::Visible => true,
+            Edges::None | Edges::Over => view.blending == Blending::Replace,
+        };
+        if hides {
+            let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
+            let Ok(()) = seen.draw_depth(&mut frame);
+        }
+        let before = depth.clone();
+        let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
+        draw_lines(model, &mesh, options, &seen, &mut frame);
+        let drawn = FixedPicture::new(view.size, &colors, &depth);
+        let pixels = (drawn.pixels.iter().zip(&surfaces.pixels).zip(before))
+            .map(|((line, surface), before)| {
+                let is_surface = line.depth == before && options.edges.has_surfaces();
+                if is_surface { *surface } else { *line }
+            })
+            .collect();
+        Ok(FixedPicture { pixels, ..drawn })
+    }
+}
+
+fn draw_lines<'v, S, P, Sh, M>(
+    model: &Model,
+    mesh: &Mesh<'_>,
+    options: LineOptions,
+    seen: &Projected<'_, &'v [ScreenVertex<S, u32, OnScreen<Sh>>], P, Sh, M>,
+    frame: &mut Frame<'_, Rgb888, &mut [u32]>,
+) where
+    S: numbers::Subpixel,
+    P: geometry::Projection,
+    Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
+    M: rasterizer::scene::Mode<Blending = rasterizer::output::Replace>,
+{
+    let LineOptions { edges, edge_color: [red, green, blue], line_width, point_size } = options;
+    let table = |pairs: &[[u32; 2]]| -> Vec<[u16; 2]> {
+        pairs.iter().map(|pair| pair.map(|i| i as u16)).collect()
+    };
+    // What is drawn first wins where depths are equal: points over lines over edges.
+    for (material, points) in model.points.iter().enumerate() {
+        let indices: Vec<u16> = points.iter().map(|&i| i as u16).collect();
+        let points = Points::new_const(mesh, PointIndices::U16(&indices));
+        let Ok(()) = seen.points(&points).sized(point_size).of_material(material).draw(frame);
+    }
+    for (material, lines) in model.lines.iter().enumerate() {
+        let segments = table(lines);
+        let lines = Lines::new_const(mesh, Segments::U16(&segments));
+        let Ok(()) = seen.lines(&lines).wide(line_width).of_material(material).draw(frame);
+    }
+    if edges != Edges::None {
+        let segments = table(&model.edges);
+        let lines = Lines::new_const(mesh, Segments::U16(&segments));
+        let color = Rgb888::new(red, green, blue);
+        let Ok(()) = seen.lines(&lines).wide(line_width).fill(color, frame);
+    }
+}
