@@ -38,6 +38,7 @@ mod points;
 mod seam;
 #[cfg(not(rasterizer_narrow))]
 mod sending;
+mod smooth_lines;
 mod supersampling;
 mod targets;
 mod textured_frames;

@@ -48,6 +48,7 @@
 //! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | which pixels of a line | `line.rs` | Vulkan specification, "Bresenham line segment rasterization" |
+//! | how much of a pixel an antialiased line covers | `smooth_line.rs` | derived there |
 //! | which pixels of a point | `point.rs` | Vulkan specification, "Basic point rasterization" |
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
 //! | what outlines enclose | `winding.rs` | Shimrat, "Algorithm 112: Position of point relative to polygon", CACM 5(8), 1962 |
@@ -87,6 +88,7 @@ mod ray;
 mod sample;
 mod scene;
 mod screen;
+mod smooth_line;
 mod texture;
 mod winding;
 mod wrap;
@@ -108,6 +110,7 @@ pub use polygon::{Plane, triangulate};
 pub use sample::Sample;
 pub use scene::draw_scene;
 pub use screen::{ScreenTriangle, ScreenVertex, draw_screen};
+pub use smooth_line::SmoothLine;
 pub use texture::{Texel, Texture, is_opaque, lit};
 pub use winding::{Pixels, Winding};
 pub use wrap::Wrap;

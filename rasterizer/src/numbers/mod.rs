@@ -39,7 +39,7 @@ pub(crate) use instructions::{
 };
 pub(crate) use length::Scaled;
 pub(crate) use reciprocal::Reciprocal;
-pub(crate) use root::unit;
+pub(crate) use root::{inverse_square_root, unit};
 pub use rotation::Rotation;
 pub(crate) use rotation::cross;
 pub use scale::Scale;

@@ -64,7 +64,12 @@ impl<'v, S: Subpixel, D: DepthFormat, V: Interpolate> Line<'v, S, D, V> {
     }
 
     /// Depth and varyings along the line, or those of its start.
-    fn fields(&self, is_steep: bool, layout: Layout, is_start: bool) -> (D::Field, V::Field) {
+    pub(super) fn fields(
+        &self,
+        is_steep: bool,
+        layout: Layout,
+        is_start: bool,
+    ) -> (D::Field, V::Field) {
         let [from, to] = self.ends;
         let (dx, dy) = (to.x - from.x, to.y - from.y);
         // On the end's side, so that the triangle is no larger than a square over the line.
@@ -235,7 +240,7 @@ impl Path {
 }
 
 /// The coordinates along a line's axis and aside from it, of x and y, or the other way round.
-const fn turned([x, y]: [i32; 2], is_steep: bool) -> [i32; 2] {
+pub(super) const fn turned([x, y]: [i32; 2], is_steep: bool) -> [i32; 2] {
     if is_steep { [y, x] } else { [x, y] }
 }
 

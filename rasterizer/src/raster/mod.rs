@@ -16,6 +16,7 @@ mod gradients;
 mod line;
 mod point;
 mod primitive;
+mod smooth_line;
 mod triangle;
 mod window;
 
@@ -24,6 +25,7 @@ pub use gradients::Gradients;
 pub use line::Line;
 pub use point::Point;
 pub use primitive::{Fragment, FragmentOf, Primitive, Span};
+pub use smooth_line::SmoothLine;
 pub use triangle::Triangle;
 pub(crate) use triangle::{first_center, signed_area};
 pub use window::{Layout, Window};

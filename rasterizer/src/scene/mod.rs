@@ -26,6 +26,7 @@ mod painter;
 mod points;
 mod projected;
 mod seen;
+mod smooth_lines;
 mod sort;
 mod style;
 mod vertices;
@@ -40,6 +41,7 @@ pub use order::{MeshOrder, Order};
 pub use painter::{DrawnInto, Objects, Painter};
 pub use points::ProjectedPoints;
 pub use projected::Projected;
+pub use smooth_lines::SmoothLines;
 pub use vertices::{OnDemand, Vertices};
 
 use crate::{
