@@ -178,6 +178,9 @@ impl Strip {
         let pixel = 1 << S::BITS;
         let (first, end) =
             ((low >> S::BITS).max(sides[0]), (((high - 1) >> S::BITS) + 1).min(sides[1]));
+        if first >= end {
+            return Ok(());
+        }
         // From the lower end to the middle of the first pixel, in halves of a sub-pixel.
         let to_middle = |place: i32| 2 * (place - low) + pixel;
         let mut middle =
