@@ -67,7 +67,7 @@ where
     {
         let lines = &self.lines;
         let window = target.window().intersection(&lines.seen.viewport);
-        let blending = self.blending.of_material(&lines.style.mesh_material(lines.seen.tables));
+        let blending = self.blending.of_material(&lines.style.mesh_material(lines.seen.tables()));
         lines.for_each_on_screen(|ends| {
             let ends: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 2] =
                 ends.map(|end| ScreenVertex::new(end.x, end.y, end.depth, []));
@@ -94,9 +94,9 @@ where
         let lines = &self.lines;
         let (seen, style) = (lines.seen, lines.style);
         let window = target.window().intersection(&seen.viewport);
-        let blending = self.blending.of_material(&style.mesh_material(seen.tables));
+        let blending = self.blending.of_material(&style.mesh_material(seen.tables()));
         let mut surface = None;
-        seen.prepare(style.material(seen.tables), &mut surface);
+        seen.prepare(style.material(seen.tables()), &mut surface);
         let Some(surface) = &surface else { return Ok(()) };
         lines.for_each_on_screen(|ends| {
             let line = SmoothLine::between(ends.each_ref(), self.width);
