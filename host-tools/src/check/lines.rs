@@ -7,9 +7,9 @@ use rasterizer::{
     geometry::{self, ScreenVertex},
     mesh::{Lines, Mesh, PointIndices, Points, Segments},
     numbers,
-    output::Frame,
+    output::{Frame, Replace},
     raster::Bias,
-    scene::{Object, Projected},
+    scene::{Mode, Object, Projected, Vertices},
     shade::{Colored, OnScreen, Shader, Unlit},
 };
 
@@ -168,17 +168,17 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
     }
 }
 
-fn draw_lines<'v, S, P, Sh, M>(
+fn draw_lines<V, P, Sh, M>(
     model: &Model,
     mesh: &Mesh<'_>,
     options: LineOptions,
-    seen: &Projected<'_, &'v [ScreenVertex<S, u32, OnScreen<Sh>>], P, Sh, M>,
+    seen: &Projected<'_, V, P, Sh, M>,
     frame: &mut Frame<'_, Rgb888, &mut [u32]>,
 ) where
-    S: numbers::Subpixel,
+    V: Vertices<OnScreen<Sh>, Depth = u32>,
     P: geometry::Projection,
     Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
-    M: rasterizer::scene::Mode<Blending = rasterizer::output::Replace>,
+    M: Mode<Blending = Replace>,
 {
     let LineOptions { edges, edge_color: [red, green, blue], line_width, point_size } = options;
     let table = |pairs: &[[u32; 2]]| -> Vec<[u16; 2]> {

@@ -111,7 +111,7 @@ pub(super) struct Arguments {
 }
 
 impl Arguments {
-    fn drawn_edges(&self) -> Edges {
+    const fn drawn_edges(&self) -> Edges {
         if self.wireframe {
             Edges::All
         } else if self.hidden_lines {

@@ -49,7 +49,7 @@ pub(super) struct End {
 pub(super) type Drawn<const N: usize> = Element<End, usize, N>;
 
 impl Elements {
-    pub(super) fn is_empty(&self) -> bool {
+    pub(super) const fn is_empty(&self) -> bool {
         self.lines.is_empty() && self.points.is_empty()
     }
 
