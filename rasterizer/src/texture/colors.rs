@@ -31,6 +31,11 @@ impl<C: Copy, const N: usize> Texels for Colors<'_, C, N> {
     fn texel(&self, index: usize) -> C {
         *at(self.0, index)
     }
+
+    #[inline(always)]
+    fn texel_in_rows<const WIDTH: usize>(&self, index: usize) -> C {
+        *at_in_rows::<WIDTH, _, _>(self.0, index)
+    }
 }
 
 impl<C: Copy, const N: usize> Table for Colors<'_, C, N> {
@@ -60,6 +65,23 @@ pub(super) const fn at<T, const N: usize>(table: &[T; N], index: usize) -> &T {
     }
 }
 
+/// The same in a table of rows that have `WIDTH` elements.
+///
+/// codegen: row and column are the shifted bits of coordinates. Together they are bits masked in
+/// their places, and on ARMv6-M the mask of the row is loaded for each pixel.
+#[inline(always)]
+pub(super) const fn at_in_rows<const WIDTH: usize, T, const N: usize>(
+    table: &[T; N],
+    index: usize,
+) -> &T {
+    if WIDTH.is_power_of_two() && N.is_power_of_two() && WIDTH <= N {
+        let (rows, _) = table.as_chunks::<WIDTH>();
+        &rows[(index / WIDTH) & (N / WIDTH - 1)][index % WIDTH]
+    } else {
+        at(table, index)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -71,5 +93,20 @@ mod tests {
         let three = Colors::new(&[1, 2, 3]);
         assert_eq!([0, 2, 3, usize::MAX].map(|index| three.texel(index)), [1, 3, 3, 3]);
         assert_eq!(Colors::new(&[9]).texel(5), 9);
+    }
+
+    #[test]
+    fn rows_are_the_same_table() {
+        let table = core::array::from_fn::<_, 32, _>(|i| i);
+        let texels = Colors::new(&table);
+        for index in 0..70 {
+            let texel = texels.texel(index);
+            assert_eq!(texel, index % 32);
+            assert_eq!(texels.texel_in_rows::<1>(index), texel);
+            assert_eq!(texels.texel_in_rows::<8>(index), texel);
+            assert_eq!(texels.texel_in_rows::<32>(index), texel);
+            assert_eq!(texels.texel_in_rows::<64>(index), texel);
+            assert_eq!(texels.texel_in_rows::<12>(index), texel);
+        }
     }
 }

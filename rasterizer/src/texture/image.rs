@@ -3,8 +3,8 @@
 use core::marker::PhantomData;
 
 use super::{
-    CoordinateFormat, Coordinates, MAX_SIDE, Place, Quad, Repeat, Table, Texels, TextureVarying,
-    Wrap,
+    CoordinateFormat, Coordinates, LitTexels, MAX_SIDE, Place, Quad, Repeat, Table, Texels,
+    TextureVarying, Wrap,
 };
 
 /// A texture, with or without mip levels: its texels, and which of them a place is on.
@@ -18,6 +18,23 @@ pub trait TexelMap: Copy {
 
     /// Returns the texels.
     fn texels(&self) -> &Self::Texels;
+
+    /// Returns a texel by its number.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn texel(&self, index: usize) -> TexelOf<Self> {
+        self.texels().texel(index)
+    }
+
+    /// Returns a texel as it is filtered, by its number.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn before_light(&self, index: usize, light: <Self::Texels as LitTexels>::Light) -> TexelOf<Self>
+    where
+        Self::Texels: LitTexels,
+    {
+        self.texels().before_light(index, light)
+    }
 
     /// Returns the number of the texel that covers the place.
     fn nearest(&self, place: Self::Place) -> usize;
@@ -107,6 +124,19 @@ impl<F: Table, const W: usize, const H: usize, X: Wrap, Y: Wrap> TexelMap
     #[inline(always)]
     fn texels(&self) -> &F {
         &self.texels
+    }
+
+    #[inline(always)]
+    fn texel(&self, index: usize) -> F::Texel {
+        self.texels.texel_in_rows::<W>(index)
+    }
+
+    #[inline(always)]
+    fn before_light(&self, index: usize, light: F::Light) -> F::Texel
+    where
+        F: LitTexels,
+    {
+        self.texels.before_light_in_rows::<W>(index, light)
     }
 
     #[inline(always)]

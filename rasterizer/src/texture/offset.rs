@@ -2,7 +2,7 @@
 
 use fixed::types::I8F24;
 
-use super::{CoordinateFormat, Levels, Mipmapped, Place, Quad, TexelMap, Wrap};
+use super::{CoordinateFormat, Levels, LitTexels, Mipmapped, Place, Quad, TexelMap, TexelOf, Wrap};
 
 /// A texture whose coordinates have an offset that is known at run time: a scrolling one, or
 /// another part of an atlas. Tables stay as they are, and a scene without one has no code for it;
@@ -66,6 +66,19 @@ where
     #[inline(always)]
     fn texels(&self) -> &T::Texels {
         self.texture.texels()
+    }
+
+    #[inline(always)]
+    fn texel(&self, index: usize) -> TexelOf<T> {
+        self.texture.texel(index)
+    }
+
+    #[inline(always)]
+    fn before_light(&self, index: usize, light: <T::Texels as LitTexels>::Light) -> TexelOf<T>
+    where
+        T::Texels: LitTexels,
+    {
+        self.texture.before_light(index, light)
     }
 
     #[inline(always)]

@@ -18,6 +18,13 @@ pub trait Texels: Copy {
 
     /// Returns a texel. Any index gives one; only those below the count are the texture's.
     fn texel(&self, index: usize) -> Self::Texel;
+
+    /// The same, for a texture whose rows have `WIDTH` texels.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn texel_in_rows<const WIDTH: usize>(&self, index: usize) -> Self::Texel {
+        self.texel(index)
+    }
 }
 
 /// Texels whose number is known at compile time.
@@ -51,6 +58,17 @@ pub trait LitTexels: Texels {
 
     /// Returns a texel as it is filtered.
     fn before_light(&self, index: usize, light: Self::Light) -> Self::Texel;
+
+    /// The same, for a texture whose rows have `WIDTH` texels.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn before_light_in_rows<const WIDTH: usize>(
+        &self,
+        index: usize,
+        light: Self::Light,
+    ) -> Self::Texel {
+        self.before_light(index, light)
+    }
 
     /// Returns the lit colour of what is filtered.
     fn after_light(color: Self::Color, light: Self::Light) -> Self::Color;
@@ -137,6 +155,11 @@ macro_rules! lit_after_filtering {
             #[inline(always)]
             fn before_light(&self, index: usize, _: u32) -> C {
                 self.texel(index)
+            }
+
+            #[inline(always)]
+            fn before_light_in_rows<const WIDTH: usize>(&self, index: usize, _: u32) -> C {
+                self.texel_in_rows::<WIDTH>(index)
             }
 
             #[inline(always)]

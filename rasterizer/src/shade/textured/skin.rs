@@ -186,11 +186,9 @@ impl<S: Slot, F: Filter<S::Texture>, M: Correction, C: VertexCoordinates> Skin<'
         texture: &S::Texture,
         face: &FaceOf<S, F>,
         pixel: Corrected<<S::Texture as TexelMap>::Place>,
-        fetch: impl Fn(&TexelsOf<S>, usize) -> TexelOf<S>,
+        fetch: impl Fn(usize) -> TexelOf<S>,
     ) -> TexelOf<S> {
-        F::sample(texture, face, pixel.value, pixel.inverse_w, |index| {
-            fetch(texture.texels(), index)
-        })
+        F::sample(texture, face, pixel.value, pixel.inverse_w, fetch)
     }
 }
 
@@ -224,9 +222,7 @@ where
         move |fragment| {
             slot.texture_or(
                 |texture| {
-                    Self::texel(texture, &face, fragment.varyings, |texels, index| {
-                        texels.texel(index)
-                    })
+                    Self::texel(texture, &face, fragment.varyings, |index| texture.texel(index))
                 },
                 || bare(color),
             )
@@ -249,7 +245,7 @@ where
         pixel: Corrected<<S::Texture as TexelMap>::Place>,
         light: LightOf<S>,
     ) -> TexelOf<S> {
-        Self::texel(texture, face, pixel, |texels, index| texels.before_light(index, light))
+        Self::texel(texture, face, pixel, |index| texture.before_light(index, light))
             .recolored(|color| TexelsOf::<S>::after_light(color, light))
     }
 }
