@@ -29,7 +29,7 @@ use super::{Components, Interpolate, InverseW, Varyings};
 ///
 /// Let U be the range of u over a triangle and r the ratio of the largest 1 / w of its corners to
 /// the least. Where u is divided, it is within U (r 2<sup>-27</sup> + 2<sup>-26</sup>) of the exact
-/// value on the snapped corners, or, with [`Adaptive`], within an eighth of the tolerance.
+/// value on the snapped corners, or, with [`Adaptive`], within the tolerance, as between divisions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PerspectiveCorrect<V, M> {
     value: V,

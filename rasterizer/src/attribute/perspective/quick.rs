@@ -19,7 +19,21 @@
 //!                the part of it that a pixel has: U 2^-15                      2^-17
 //! ```
 //!
-//! Together 2^-13.07, or U 2^-11.07, as 2^(k + 1) is at most four times the range U.
+//! Together 2^-13.05, or U 2^-11.05, as 2^(k + 1) is at most four times the range U. The shift of a
+//! chord adds an eighth of half of 2^-14 of the difference along it: U 2^-18.
+//!
+//! # Shift
+//!
+//! Along a step the chord is off to one side only, by 0 at the ends and by up to e, of which
+//! [`pace`](super::pace) has a bound b:
+//!
+//! ```text
+//!   e = |du dq| / (sqrt(q0) + sqrt(q1))^2  <=  |du dq| / (4 min(q0, q1)) = b
+//! ```
+//!
+//! A chord that is moved to that side by h = |du dq| / (8 q1) is off by up to b / 2 to both: with x
+//! = sqrt(max / min), h is b / 2 or b / (2 x^2), and e - h at most b (4 / (1 + x)^2 - 1 / (2 x^2)),
+//! which is largest at x = 1. So steps are longer by the root of two.
 
 use core::ops::RangeInclusive;
 
@@ -31,9 +45,9 @@ use super::{
 };
 use crate::attribute::{Components, Field, Piece, Plane};
 
-/// The widest range of numbers, as a multiple of their tolerance: 2^11.07 / 8 is 269, for an error
-/// of up to an eighth of it.
-pub(super) const QUICK_RANGE: u32 = 264;
+/// The widest range of numbers, as a multiple of their tolerance: 2^11.04 / 8 is 263, for an error
+/// of up to an eighth of it. It leaves as much as the reciprocal's error moves a shift.
+pub(super) const QUICK_RANGE: u32 = 260;
 
 /// 1 / w and numerators as functions of the pixel, half a digit of 2^15 above their values, and the
 /// length of steps.
@@ -88,7 +102,8 @@ impl<V: Components> QuickQuotient<V> {
         // W is linear in the row, so it is largest in the first or the last one. Of the corners'
         // units, q = 2^31 has 2^30.
         let level = P::level(law, 0).min(P::level(law, last_row));
-        let pace = power_of_2(level + 3 * 32 * 30);
+        // Twice the bound of a chord: 32 more.
+        let pace = power_of_2(level + 32 + 3 * 32 * 30);
         let mut numerators = V::each(Plane { anchor: 0, per_column: 0, per_row: 0 });
         for (to, plane) in numerators.as_mut().iter_mut().zip(quotient.numerators.as_ref()) {
             *to = rounded(plane);
@@ -184,7 +199,7 @@ impl<V: Components> QuickPieces<V> {
         {
             (*at, *step) = (plane.at(address, row), plane.per_column);
         }
-        let quotients = divided::<V>(q, &numerators);
+        let quotients = divided::<V>(reciprocal(q >> DROPPED), &numerators);
         let length = (length as usize).min(P::longest::<V>());
         Self {
             q,
@@ -215,16 +230,24 @@ impl<V: Components> QuickPieces<V> {
         for (at, step) in self.numerators.as_mut().iter_mut().zip(self.numerator_steps.as_ref()) {
             *at = to(*at, *step);
         }
-        self.quotients = divided::<V>(self.q, &self.numerators);
+        let reciprocal = reciprocal(self.q >> DROPPED);
+        self.quotients = divided::<V>(reciprocal, &self.numerators);
         self.pixels -= pixels;
+        let change = self.q.wrapping_sub(q).cast_signed() >> DROPPED;
+        // dq / q1, from -3 to 3/4, in Q14.
+        let ratio = (change * (reciprocal >> 2) + (1 << 13)) >> 14;
         let (part, log2) = part(way);
         let (mut first, mut step) = (self.base, self.quotients);
         for ((first, step), from) in first.as_mut().iter_mut().zip(step.as_mut()).zip(from.as_ref())
         {
-            *first = first.wrapping_add(from >> self.down);
-            *step = (((*step - from + (1 << 14)) >> 15) * part) >> (self.down + log2);
+            // Q15, up to 2^15.
+            let difference = (*step - from + (1 << 14)) >> 15;
+            // du dq / (8 q1) in Q30.
+            let shift = (difference * ratio) >> 2;
+            *first = first.wrapping_add((from + shift) >> self.down);
+            *step = (difference * part) >> (self.down + log2);
         }
-        let change = ((self.q.wrapping_sub(q).cast_signed() >> DROPPED) * part) >> log2;
+        let change = (change * part) >> log2;
         Piece {
             first: SteppedWalk::new(V::walk_from(first), (q << 1) >> self.zeros),
             step: SteppedWalk::new(V::step_from(step), ((change << 1) >> self.zeros) as u32),
@@ -233,10 +256,9 @@ impl<V: Components> QuickPieces<V> {
     }
 }
 
-/// Numerators over q: Q30.
+/// Numerators times the reciprocal of q: Q30.
 #[inline(always)]
-fn divided<V: Components>(q: u32, numerators: &V::Each<u32>) -> V::Each<i32> {
-    let reciprocal = reciprocal(q >> DROPPED);
+fn divided<V: Components>(reciprocal: i32, numerators: &V::Each<u32>) -> V::Each<i32> {
     let mut quotients = V::ZEROS;
     for (quotient, numerator) in quotients.as_mut().iter_mut().zip(numerators.as_ref()) {
         *quotient = (numerator.cast_signed() >> DROPPED) * reciprocal;
@@ -266,6 +288,52 @@ mod tests {
             .map(|q| (f64::from(reciprocal(q)) * f64::from(q) / 2f64.powi(30) - 1.0).abs())
             .fold(0.0, f64::max);
         assert!(worst < 2f64.powf(-13.7) && worst > 2f64.powf(-13.8), "2^{}", worst.log2());
+    }
+
+    #[test]
+    fn shifted_chords_are_off_by_half_the_bound_to_both_sides() {
+        for ratio in (25..=400).map(|percent| f64::from(percent) / 100.0) {
+            // Of q at the end to q at the start, for du = 1 and q = 1 at the start.
+            let change = (ratio - 1.0).abs();
+            let off = change / (1.0 + ratio.sqrt()).powi(2);
+            let half_bound = change / (4.0 * ratio.min(1.0)) / 2.0;
+            let shift = change / (8.0 * ratio);
+            assert!(shift <= half_bound * 1.000_001, "{ratio}");
+            assert!((off - shift).abs() <= half_bound * 1.000_001, "{ratio}");
+        }
+    }
+
+    /// A step towards twice and one towards half the distance: at the first pixel the number is
+    /// moved to the side where the numbers between the ends lie.
+    #[test]
+    fn chords_are_moved_towards_the_curve() {
+        for (q, q_step) in [(1 << 31, (1u32 << 30) / 15), (1 << 30, (1u32 << 30) / 15)] {
+            let q_step = if q == 1 << 31 { q_step.wrapping_neg() } else { q_step };
+            // s from 0: u = s / q grows from 0 to 1/4 of a unit.
+            let last = q_step.wrapping_mul(15).wrapping_add(q);
+            let numerators = [0u32];
+            let mut pieces = QuickPieces::<u16> {
+                q,
+                numerators,
+                q_step,
+                numerator_steps: [last / 4 / 15],
+                base: [0],
+                down: 1,
+                zeros: 0,
+                quotients: divided::<u16>(reciprocal(q >> DROPPED), &numerators),
+                length: 15,
+                pixels: 16,
+            };
+            let piece = pieces.piece();
+            let (q, last) = (f64::from(q), f64::from(last));
+            // Components of u16 have 13 digits, and are stepped with 16, half a unit above.
+            let unit = 2f64.powi(29 + 3);
+            let start = f64::from(piece.first.numbers.cast_signed() - (1 << 15)) / unit;
+            let wanted = 0.25 * (last - q) / (8.0 * last);
+            assert!((start - wanted).abs() < 2f64.powi(-13), "{q}: {start} for {wanted}");
+            let step = f64::from(piece.step.numbers.cast_signed()) / unit;
+            assert!((step * 15.0 - 0.25).abs() < 2f64.powi(-12), "{q}: {step}");
+        }
     }
 
     #[test]

@@ -187,7 +187,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
 /// Numbers on the way along a step.
 #[derive(Clone, Copy, Debug)]
 pub struct SteppedWalk<V: Components> {
-    numbers: V::Walk,
+    pub(super) numbers: V::Walk,
     /// near / w, if it is read.
     inverse_w: u32,
 }
