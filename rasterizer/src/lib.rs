@@ -172,6 +172,7 @@
 //! | order of triangles | a step before drawing | [`MeshOrder`](scene::MeshOrder), [`Bins`](scene::Bins) by [`Projected::binned`](scene::Projected::binned), or [`BackToFront`](scene::BackToFront) by [`Projected::back_to_front`](scene::Projected::back_to_front); several objects by [`Painter`](scene::Painter) |
 //! | destination | the target's type | [`Frame`](output::Frame), [`Bands`](output::Bands) of it, [`Direct`](output::Direct) |
 //! | pixels of less than a byte | the target's type | [`PackedFrame`](output::PackedFrame), [`Bands::packed`](output::Bands::packed); [`InRows`](output::InRows) or [`InPages`](output::InPages) |
+//! | pixels that may change | a wrapper of the target | all of it, or those in a rectangle: [`Scissored`](output::Scissored) |
 //! | samples a pixel | the constructor of the bands | 1, or 2 x 2 and 4 x 4 with [`Bands::supersampled`](output::Bands::supersampled); [`Frame::resolved`](output::Frame::resolved) |
 //! | rows of a frame | its constructor | [`Packed`](output::Packed), or [`Strided`](output::Strided) in a larger buffer by [`with_stride`](output::Frame::with_stride) |
 //!

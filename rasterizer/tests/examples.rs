@@ -63,6 +63,7 @@ examples! {
     perspective_modes = "../examples/perspective_modes.rs",
     points = "../examples/points.rs",
     projections = "../examples/projections.rs",
+    scissor = "../examples/scissor.rs",
     several_objects = "../examples/several_objects.rs",
     smooth_lines = "../examples/smooth_lines.rs",
     supersampling = "../examples/supersampling.rs",

@@ -35,6 +35,7 @@ mod pictures;
 mod placement;
 mod placement_table;
 mod points;
+mod scissor;
 mod seam;
 #[cfg(not(rasterizer_narrow))]
 mod sending;

@@ -16,6 +16,7 @@ mod keep_depth;
 mod modes;
 mod packed;
 mod pixels;
+mod scissored;
 mod supersampled;
 
 pub use band_pixels::{BandPixels, Unpacked};
@@ -33,6 +34,7 @@ pub use frame::{Frame, FrameError, Packed, Rows, Strided};
 pub use keep_depth::KeepDepth;
 pub use modes::{Add, Multiply, Over, Screen};
 pub use packed::PackedFrame;
+pub use scissored::Scissored;
 pub use supersampled::{Resolved, Supersampled};
 
 use crate::{

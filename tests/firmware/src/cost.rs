@@ -15,7 +15,8 @@ use rasterizer::{
     mesh::Lines,
     numbers::Subpixel,
     output::{
-        BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target,
+        BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be,
+        Scissored, Target,
     },
     scene::{Mode, Object, Order, Painter, Projected, Vertices},
     shade::{OnScreen, Shader},
@@ -324,6 +325,28 @@ impl<const SET_UP: bool> Cost<SET_UP> {
             return;
         }
         self.draw_frame::<NoDepth, PIXELS>(camera.viewport(), memory, |frame| painter.draw(frame));
+    }
+
+    /// Adds a whole frame of which a rectangle is drawn.
+    pub fn add_scissored<
+        S: Subpixel,
+        D: Depth,
+        Sh: Shader<Color = Rgb565Be>,
+        const PIXELS: usize,
+    >(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+        rectangle: &Rectangle,
+        memory: &mut Memory<PIXELS>,
+    ) {
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| {
+            seen.draw(&mut Scissored::new(frame, rectangle))
+        });
     }
 
     /// Sorts the triangles into `bins`, if there are any, and draws the bands.

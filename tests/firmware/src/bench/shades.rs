@@ -5,6 +5,7 @@ mod color;
 mod fog;
 mod light;
 mod lines;
+mod seen;
 
 pub(crate) use light::LAMP;
 use rasterizer::{
@@ -36,6 +37,7 @@ pub fn main<const SET_UP: bool>() {
         scenes.colors();
         scenes.fog();
         scenes.lines();
+        scenes.seen();
     });
 }
 
