@@ -151,7 +151,7 @@
 //! | depth | the type of the depth buffer | `u16`, [`FloatDepth`](attribute::FloatDepth), `u32`, [`NoDepth`](attribute::NoDepth) |
 //! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
-//! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), or [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes |
+//! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes, or [`ClipPlanes`](geometry::ClipPlanes) with planes of your own, in world or object space |
 //! | new and stored colours | [`Object::blended`](scene::Object::blended) | [`Replace`](output::Replace); [`Over`](output::Over), [`Add`](output::Add), [`Multiply`](output::Multiply), [`Screen`](output::Screen); [`Blend`](output::Blend) by a function of both |
 //! | depth of blended pixels | the blending | stored, or with [`KeepDepth`](output::KeepDepth) left |
 //! | depth of triangles | [`Object::biased`](scene::Object::biased) | theirs, or moved by a [`Bias`](raster::Bias) |

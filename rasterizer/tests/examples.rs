@@ -34,6 +34,7 @@ examples! {
     bands = "../examples/bands.rs",
     blending = "../examples/blending.rs",
     blending_modes = "../examples/blending_modes.rs",
+    clip_planes = "../examples/clip_planes.rs",
     clouds = "../examples/clouds.rs",
     cutout = "../examples/cutout.rs",
     depth_formats = "../examples/depth_formats.rs",

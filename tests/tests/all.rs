@@ -11,6 +11,7 @@ mod any_shader;
 mod arithmetic;
 mod back_to_front;
 mod bands;
+mod clip_planes;
 mod clipping;
 #[cfg(not(rasterizer_narrow))]
 mod compile_fail;

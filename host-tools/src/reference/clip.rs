@@ -1,4 +1,5 @@
-//! Clipping of polygons against the near and the far plane, in view space before the projection.
+//! Clipping of polygons against the near and the far plane, in view space before the projection,
+//! and against planes of the user's, in world space before that.
 //!
 //! Clip coordinates are linear in view coordinates, so clipping here is homogeneous clipping: the
 //! rest has w > 0 and can be divided. The four sides of the screen need no clipping: f64 holds the
@@ -27,10 +28,55 @@ pub(super) fn clip<const N: usize>(
     clip_at(&beyond_near, -far, 1.0)
 }
 
+/// A side of a plane, with the plane itself: the points p with `normal` . p + `offset` >= 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HalfSpace {
+    /// Points to the side, in any length.
+    pub normal: [f64; 3],
+    /// For the origin.
+    pub offset: f64,
+}
+
+impl HalfSpace {
+    /// How far inside a point lies, in lengths of the normal; negative outside.
+    #[must_use]
+    pub fn depth(&self, point: [f64; 3]) -> f64 {
+        self.offset + (0..3).map(|i| self.normal[i] * point[i]).sum::<f64>()
+    }
+}
+
+/// The part of a convex polygon, whose positions are in world space, inside all half spaces, in the
+/// same winding.
+pub(super) fn clip_by<const N: usize>(
+    polygon: &[ViewVertex<N>],
+    sides: &[HalfSpace],
+) -> Vec<ViewVertex<N>> {
+    sides.iter().fold(polygon.to_vec(), |polygon, side| {
+        clip_where(&polygon, |vertex| side.depth(vertex.position), |_| {})
+    })
+}
+
 /// The part of a convex polygon on one side of the plane `z = plane`: towards +z for `side = 1`,
-/// towards -z for -1. The plane itself belongs to the part that is kept.
+/// towards -z for -1. The plane itself belongs to the part that is kept. A new vertex gets the
+/// plane's own z, not a rounded blend: with a near plane much closer than the rounding of the two
+/// ends, a blend lies behind the eye.
 fn clip_at<const N: usize>(polygon: &[ViewVertex<N>], plane: f64, side: f64) -> Vec<ViewVertex<N>> {
     let inside_by = |vertex: &ViewVertex<N>| side * (vertex.position[2] - plane);
+    clip_where(polygon, inside_by, |vertex| vertex.position[2] = plane)
+}
+
+/// The part of a convex polygon where a linear function of the position is not negative. `settle`
+/// moves a new vertex to where the function is 0.
+fn clip_where<const N: usize>(
+    polygon: &[ViewVertex<N>],
+    inside_by: impl Fn(&ViewVertex<N>) -> f64,
+    settle: impl Fn(&mut ViewVertex<N>),
+) -> Vec<ViewVertex<N>> {
+    let crossing = |inner: &ViewVertex<N>, outer: &ViewVertex<N>, t: f64| {
+        let mut vertex = crossing(inner, outer, t);
+        settle(&mut vertex);
+        vertex
+    };
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (i, from) in polygon.iter().enumerate() {
         let to = &polygon[(i + 1) % polygon.len()];
@@ -42,27 +88,19 @@ fn clip_at<const N: usize>(polygon: &[ViewVertex<N>], plane: f64, side: f64) -> 
         // shared edge in opposite directions get the same new vertex, bit for bit, and stay
         // watertight.
         if from_by > 0.0 && to_by < 0.0 {
-            kept.push(crossing(from, to, from_by / (from_by - to_by), plane));
+            kept.push(crossing(from, to, from_by / (from_by - to_by)));
         } else if from_by < 0.0 && to_by > 0.0 {
-            kept.push(crossing(to, from, to_by / (to_by - from_by), plane));
+            kept.push(crossing(to, from, to_by / (to_by - from_by)));
         }
     }
     kept
 }
 
-/// The point at the fraction `t` of the way from `inner` to `outer`. Its z is the plane's own, not
-/// a rounded blend: with a near plane much closer than the rounding of the two ends, a blend lies
-/// behind the eye.
-fn crossing<const N: usize>(
-    inner: &ViewVertex<N>,
-    outer: &ViewVertex<N>,
-    t: f64,
-    plane: f64,
-) -> ViewVertex<N> {
+/// The point at the fraction `t` of the way from `inner` to `outer`.
+fn crossing<const N: usize>(inner: &ViewVertex<N>, outer: &ViewVertex<N>, t: f64) -> ViewVertex<N> {
     let blend = |a: f64, b: f64| a + t * (b - a);
-    let ([inner_x, inner_y, _], [outer_x, outer_y, _]) = (inner.position, outer.position);
     ViewVertex {
-        position: [blend(inner_x, outer_x), blend(inner_y, outer_y), plane],
+        position: std::array::from_fn(|i| blend(inner.position[i], outer.position[i])),
         varyings: std::array::from_fn(|i| blend(inner.varyings[i], outer.varyings[i])),
     }
 }

@@ -45,7 +45,7 @@
 //! | view transform, projection | `camera.rs` | similar triangles |
 //! | levels of lights, highlights | `lights.rs` | Lambert's cosine law; Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
 //! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
-//! | near and far plane | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
+//! | near and far plane, planes of the user's | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | which pixels of a line | `line.rs` | Vulkan specification, "Bresenham line segment rasterization" |
 //! | how much of a pixel an antialiased line covers | `smooth_line.rs` | derived there |
@@ -96,6 +96,7 @@ mod wrap;
 pub use blend::{Blend, Layer};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
+pub use clip::HalfSpace;
 pub use depth::DepthFormat;
 pub use display::{Display, Steps, luma};
 pub use fog::{Fog, fogged};
@@ -108,7 +109,7 @@ pub use picture::{Fragment, Picture};
 pub use point::Point;
 pub use polygon::{Plane, triangulate};
 pub use sample::Sample;
-pub use scene::draw_scene;
+pub use scene::{draw_clipped_scene, draw_scene};
 pub use screen::{ScreenTriangle, ScreenVertex, draw_screen};
 pub use smooth_line::SmoothLine;
 pub use texture::{Texel, Texture, is_opaque, lit};

@@ -1,7 +1,7 @@
 //! The end-to-end route: from a mesh in world space to the picture.
 
 use super::camera::Camera;
-use super::clip::{ViewVertex, clip};
+use super::clip::{HalfSpace, ViewVertex, clip, clip_by};
 use super::coverage::{Region, doubled_area, for_each_covered};
 use super::interpolate::{
     in_perspective, linear, linear_each, linear_slope_each, slopes_in_perspective, weight_slopes,
@@ -35,18 +35,37 @@ pub fn draw_scene<const N: usize, C: Copy>(
     varyings: impl Fn(Corner) -> [f64; N],
     shade: impl Fn(Sample<N>) -> Option<C>,
 ) -> Picture<C> {
+    draw_clipped_scene(camera, mesh, &[], culling, size, varyings, shade)
+}
+
+/// [`draw_scene`] of the part of a mesh that lies inside all of some half spaces of the world.
+///
+/// # Panics
+///
+/// Panics if a triangle refers to a vertex that the mesh does not have.
+#[must_use]
+pub fn draw_clipped_scene<const N: usize, C: Copy>(
+    camera: &Camera,
+    mesh: &Mesh,
+    sides: &[HalfSpace],
+    culling: Culling,
+    size: (usize, usize),
+    varyings: impl Fn(Corner) -> [f64; N],
+    shade: impl Fn(Sample<N>) -> Option<C>,
+) -> Picture<C> {
     let [columns, rows] = camera.viewport.pixels(size);
     let region = Region { columns, rows };
     let mut canvas = Canvas::new(size);
     for (triangle, vertices) in mesh.triangles.iter().enumerate() {
         let corners = vertices.map(|vertex| {
             let position = mesh.positions[vertex];
-            ViewVertex {
-                position: camera.to_view(position),
-                varyings: varyings(Corner { triangle, vertex, position }),
-            }
+            ViewVertex { position, varyings: varyings(Corner { triangle, vertex, position }) }
         });
-        let polygon = clip(&corners, camera.projection.depth_range());
+        let mut kept = clip_by(&corners, sides);
+        for corner in &mut kept {
+            corner.position = camera.to_view(corner.position);
+        }
+        let polygon = clip(&kept, camera.projection.depth_range());
         let points: Vec<_> =
             polygon.iter().map(|corner| camera.to_screen(corner.position)).collect();
         let outline: Vec<_> = points.iter().map(|point| [point.x, point.y]).collect();
@@ -86,6 +105,9 @@ fn is_front(outline: &[[f64; 2]]) -> bool {
         (2..outline.len()).map(|i| doubled_area([outline[0], outline[i - 1], outline[i]])).sum();
     area < 0.0
 }
+
+#[cfg(test)]
+mod clipped;
 
 #[cfg(test)]
 mod tests {

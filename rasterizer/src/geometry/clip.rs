@@ -208,23 +208,30 @@ fn exact_crossing<P: Projection, C: Coordinate, V: Varyings>(
     // Whole units told on which side they are; a fraction may tell otherwise.
     let distance = plane.exact_distance(inside, transform).max(0);
     let length = distance.saturating_sub(plane.exact_distance(outside, transform).min(-1));
-    let divide = |dividend: i64, divisor: i64| {
-        Divisor::new(divisor.max(1).cast_unsigned()).divide(dividend).0
-    };
-    // The upper 30 bits of the quotient in Q60, from as many bits of both as let it fit.
-    let drop = 33u32.saturating_sub(length.leading_zeros());
-    let upper = divide((distance >> drop) << 30, length >> drop).min(1 << 30);
-    // The others from what is left, at most 2^35. An edge of less than two units has none.
-    let rest = distance - mul_wide_q30(length, upper as i32);
-    let lower = if length >> 33 == 0 { 0 } else { divide(rest << 27, length >> 33) };
-    let t = ((upper << 30) + lower).clamp(0, 1 << 60);
+    let t = quotient(distance, length);
     let between = |a: C, b: C| C::from_bits(a.to_bits() + mul_q60(b.to_bits() - a.to_bits(), t));
     ClipVertex {
         x: between(inside.x, outside.x),
         y: between(inside.y, outside.y),
         z: between(inside.z, outside.z),
-        varyings: inside.varyings.lerp(outside.varyings, upper as u32),
+        varyings: inside.varyings.lerp(outside.varyings, (t >> 30) as u32),
     }
+}
+
+/// `distance / length` in Q60, for a distance from 0 to a positive length: within 2^-57, and within
+/// 2^-30 for a length below 2^33.
+#[inline(always)]
+pub(super) fn quotient(distance: i64, length: i64) -> i64 {
+    let divide = |dividend: i64, divisor: i64| {
+        Divisor::new(divisor.max(1).cast_unsigned()).divide(dividend).0
+    };
+    // The upper 30 bits of the quotient, from as many bits of both as let it fit.
+    let drop = 33u32.saturating_sub(length.leading_zeros());
+    let upper = divide((distance >> drop) << 30, length >> drop).min(1 << 30);
+    // The others from what is left, at most 2^35. An edge of less than two units has none.
+    let rest = distance - mul_wide_q30(length, upper as i32);
+    let lower = if length >> 33 == 0 { 0 } else { divide(rest << 27, length >> 33) };
+    ((upper << 30) + lower).clamp(0, 1 << 60)
 }
 
 #[cfg(test)]
@@ -237,7 +244,7 @@ mod tests {
     use super::*;
     use crate::{
         camera::{Camera, Distance, Perspective},
-        geometry::Pose,
+        geometry::{Pose, transform::CameraAxes},
         mesh::{Material, Mesh, Positions, Tables, Triangles},
         numbers::{Rotation, S4, S8, Scale, Subpixel, Vec3},
         random::Random,
@@ -259,7 +266,7 @@ mod tests {
             materials: const { &[Material::new([0; 3], 1)] },
             ..Tables::EMPTY
         };
-        Transform::new::<S>(&camera, &Pose::IDENTITY, &Mesh::new_const(tables))
+        Transform::new::<S>(&camera, CameraAxes, &Pose::IDENTITY, &Mesh::new_const(tables))
     }
 
     fn vertex(transform: &Transform<Perspective>, position: [i16; 3]) -> ClipVertex<i32, [u16; 1]> {

@@ -14,8 +14,10 @@
 //! never clipped: what lies beyond the viewport costs the rasterizer nothing.
 
 mod clip;
+mod clip_planes;
 mod lens;
 mod placement;
+mod plane;
 mod pose;
 mod row;
 mod screen;
@@ -24,9 +26,13 @@ mod view;
 mod visibility;
 
 pub(crate) use clip::{MAX_CORNERS, clip, clip_line};
+pub use clip_planes::ClipPlanes;
+pub(crate) use clip_planes::Corner;
 pub use lens::Projection;
+pub use plane::Plane;
 pub use pose::{Pose, PoseError};
 pub use screen::ScreenVertex;
 pub(crate) use transform::{ClipVertex, Transform};
 pub use view::{ObjectView, Viewer};
+pub(crate) use visibility::UserPlanes;
 pub use visibility::{ClipAll, ClipNone, Clipping, CullBack, CullFront, CullNone, Culling};

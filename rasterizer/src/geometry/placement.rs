@@ -10,7 +10,7 @@ use crate::{
 
 /// One of the camera's axes, and how far along it the object is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
+pub(crate) struct Axis {
     /// In object space, in Q60.
     pub(super) direction: [i64; 3],
     /// The way from the eye to the object's anchor along the axis, in world units, in Q44.
@@ -24,8 +24,8 @@ pub(super) struct Axis {
 pub(super) const FRACTION_BITS: i32 = 44;
 
 impl Axis {
-    /// The axis that is `vector` in world space, in Q30, and the way to the mesh's origin. It is
-    /// valid if the mesh's [offset is in range](is_offset_in_range).
+    /// The axis of the camera, and the way to the mesh's origin. It is valid if the mesh's
+    /// [offset is in range](is_offset_in_range).
     // codegen: not inlined, like all that builds the matrix: its temporaries leave the stack.
     #[inline(never)]
     pub(super) fn new<P>(
@@ -36,9 +36,22 @@ impl Axis {
         offset: Vec3,
     ) -> Self {
         let vector = &camera.axes()[axis];
-        let direction = pose.rotation.turn_back_exactly(vector);
         // Each below 2^62, as an axis has length one.
         let way = pose.translation.along(vector) - camera.eye().along(vector);
+        Self::along(vector, way, magnification, pose, offset)
+    }
+
+    /// The axis that is `vector` in world space, in Q30 and no longer than one, and the way to the
+    /// mesh's origin. `way` is that to the pose's origin, in Q46.
+    #[inline(always)]
+    pub(super) fn along(
+        vector: &[i32; 3],
+        way: i64,
+        magnification: Float,
+        pose: &Pose,
+        offset: Vec3,
+    ) -> Self {
+        let direction = pose.rotation.turn_back_exactly(vector);
         let mut axis = Self { direction, way: way >> (46 - FRACTION_BITS), magnification };
         let scale = i64::from(pose.scale.to_bits()) << (FRACTION_BITS - 32);
         for (column, &offset) in offset.to_bits().iter().enumerate() {

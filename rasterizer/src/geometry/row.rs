@@ -14,7 +14,7 @@ use crate::{
 /// below 2^30. Where there is no long multiply they are kept as `high * 2^15 + low`, where the
 /// lower part has a sign: then the products of three of them with positions of 16 bits stay below
 /// 3 x 2^29, and their sum fits 32 bits.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
     /// The entries with 16 bits behind the point, or their upper and their lower parts.
     entries: [[i32; 3]; PARTS],
@@ -26,6 +26,9 @@ pub(super) struct Row<const PARTS: usize = { if IS_NARROW { 2 } else { 1 } }> {
 const FRACTION_BITS: u32 = 15;
 
 impl<const PARTS: usize> Row<PARTS> {
+    /// 0 everywhere.
+    pub(super) const ZERO: Self = Self { entries: [[0; 3]; PARTS], translation: (0, 0) };
+
     /// The row of one of the camera's axes in units of 2^`unit`.
     // codegen: not inlined, like all that builds the matrix: it runs for each of three rows once a
     // frame.

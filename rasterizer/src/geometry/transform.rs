@@ -11,7 +11,7 @@ use crate::{
     attribute::{DepthFormat, Interpolate, Varyings},
     camera::Camera,
     mesh::{BoundingBox, Mesh},
-    numbers::{Coordinate, Subpixel, codegen, mul_high, saturate},
+    numbers::{Coordinate, Float, Subpixel, Vec3, codegen, mul_high, saturate},
 };
 
 /// A point in clip space.
@@ -27,6 +27,38 @@ pub(crate) struct ClipVertex<C, V> {
     /// Away from the camera.
     pub(crate) z: C,
     pub(crate) varyings: V,
+}
+
+/// The axes along which an object is seen.
+pub(crate) trait Axes: Copy {
+    /// The axis in place of that of the camera with this number, and how far the object is along
+    /// it.
+    fn axis<P>(
+        &self,
+        camera: &Camera<P>,
+        axis: usize,
+        magnification: Float,
+        pose: &Pose,
+        offset: Vec3,
+    ) -> Axis;
+}
+
+/// Those of the camera.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct CameraAxes;
+
+impl Axes for CameraAxes {
+    #[inline(always)]
+    fn axis<P>(
+        &self,
+        camera: &Camera<P>,
+        axis: usize,
+        magnification: Float,
+        pose: &Pose,
+        offset: Vec3,
+    ) -> Axis {
+        Axis::new(camera, axis, magnification, pose, offset)
+    }
 }
 
 /// Everything between an object's table and the screen, for one frame.
@@ -56,7 +88,12 @@ impl<P: Projection> Transform<P> {
     // codegen: not inlined, or the caller's frame would hold its temporaries while triangles are
     // drawn.
     #[inline(never)]
-    pub(crate) fn new<S: Subpixel>(camera: &Camera<P>, pose: &Pose, mesh: &Mesh<'_>) -> Self {
+    pub(crate) fn new<S: Subpixel>(
+        camera: &Camera<P>,
+        axes: impl Axes,
+        pose: &Pose,
+        mesh: &Mesh<'_>,
+    ) -> Self {
         let projection = camera.projection();
         let viewport = camera.viewport();
         let (corner, size) = (viewport.top_left, viewport.size);
@@ -64,7 +101,7 @@ impl<P: Projection> Transform<P> {
         let [mut across, deep] = projection.magnification(size.height);
         across.exponent -= GUARD_BITS as i32;
         let offset = mesh.tables().offset;
-        let axis = |axis, magnification| Axis::new(camera, axis, magnification, pose, offset);
+        let axis = |axis, magnification| axes.axis(camera, axis, magnification, pose, offset);
         let (mut x_axis, mut y_axis, mut z_axis) =
             (axis(0, across), axis(1, across), axis(2, deep));
         let mut grid = Grid::new(pose, mesh);
@@ -305,7 +342,7 @@ mod tests {
     use crate::{
         camera::{Orthographic, Perspective},
         mesh::{Material, Positions, Tables, Triangles},
-        numbers::{Rotation, S4, S8, Scale, Turn, Vec3},
+        numbers::{Rotation, S4, S8, Scale, Turn},
         random::Random,
     };
 
@@ -386,7 +423,7 @@ mod tests {
             let positions: Vec<[i16; 3]> =
                 (0..20).map(|_| [0; 3].map(|_| coordinate(&mut random))).collect();
             let camera = Camera::at(case.eye, case.rotation, projection, VIEWPORT).unwrap();
-            let transform = Transform::new::<S>(&camera, &case.pose, &mesh(&positions));
+            let transform = Transform::new::<S>(&camera, CameraAxes, &case.pose, &mesh(&positions));
             let mut is_seen = false;
             for &position in &positions {
                 let [right, up, forward] = case.view(position);
@@ -455,7 +492,7 @@ mod tests {
         let hides = |x: &str, y: &str, z: &str| {
             let positions = [[-1000, -1000, -1000], [1000, 1000, 1000]];
             let pose = Pose::IDENTITY.at(Vec3::lit(x, y, z));
-            let transform = Transform::new::<S4>(&camera, &pose, &mesh(&positions));
+            let transform = Transform::new::<S4>(&camera, CameraAxes, &pose, &mesh(&positions));
             transform.is_outside_view::<i32>(&BoundingBox::of(&positions), [321, 240])
         };
         assert!(!hides("0", "0", "-5"));

@@ -1,6 +1,16 @@
 //! Which triangles are drawn: by the side that they turn to the viewer, and by the planes that they
 //! cross.
 
+use heapless::Vec;
+
+use super::{
+    ClipPlanes, Pose,
+    clip::MAX_CORNERS,
+    clip_planes::Corner,
+    transform::{Axes, CameraAxes, ClipVertex},
+};
+use crate::{attribute::Varyings, mesh::Mesh, numbers::Coordinate};
+
 /// Which triangles are left out, by the side that they turn to the viewer.
 ///
 /// The side is decided on the snapped vertices, by the sign of the area that is drawn (Direct3D 11
@@ -41,14 +51,67 @@ impl Culling for CullNone {
 }
 
 /// How triangles are treated that reach beyond the near plane, the far plane or the guard band:
-/// 1,024 pixels to each side of the viewport's middle.
+/// 1,024 pixels to each side of the viewport's middle. [`ClipAll`] and [`ClipNone`] are for these
+/// planes alone, [`ClipPlanes`] has others besides.
 ///
 /// Most scenes have none, and the code that cuts them is a fifth of a small renderer's. Both
 /// choices draw the same picture of an object that stays in front of the camera and near the
 /// picture.
-pub trait Clipping: Copy {
+#[expect(private_bounds, reason = "it is sealed")]
+pub trait Clipping: Copy + UserPlanes {
     /// Whether they are cut and their remainder drawn.
     const CUTS: bool;
+}
+
+/// Planes of the user's own. Without any, nothing of it is linked.
+pub(crate) trait UserPlanes: Copy {
+    /// Whether there are any.
+    const EXIST: bool = false;
+
+    /// The axes along which the object is seen.
+    type Axes: Axes;
+
+    /// The axes along which the object is seen.
+    fn axes(&self) -> Self::Axes;
+
+    /// The same for an object in its pose.
+    #[inline(always)]
+    fn placed(self, _: &Pose, _: &Mesh<'_>) -> Self {
+        self
+    }
+
+    /// Whether a position of the mesh is kept.
+    #[inline(always)]
+    fn keeps(&self, _: [i16; 3]) -> bool {
+        true
+    }
+
+    /// Whether all of some positions are outside one and the same plane.
+    #[inline(always)]
+    fn excludes(&self, _: impl Iterator<Item = [i16; 3]> + Clone) -> bool {
+        false
+    }
+
+    /// The part of a triangle that is kept: a convex polygon in the triangle's order, or none.
+    #[inline(always)]
+    fn cut<C: Coordinate, V: Varyings>(
+        &self,
+        triangle: &[Corner<C, V>; 3],
+        kept: &mut Vec<ClipVertex<C, V>, MAX_CORNERS>,
+    ) {
+        for (_, corner) in triangle {
+            let _ = kept.push(*corner);
+        }
+    }
+
+    /// The part of a line that is kept.
+    #[inline(always)]
+    fn cut_line<C: Coordinate, V: Varyings>(
+        &self,
+        ends: &[Corner<C, V>; 2],
+    ) -> Option<[ClipVertex<C, V>; 2]> {
+        Some([ends[0].1, ends[1].1])
+    }
 }
 
 /// Cuts them at the planes: for objects that can be anywhere.
@@ -72,4 +135,68 @@ impl Clipping for ClipAll {
 
 impl Clipping for ClipNone {
     const CUTS: bool = false;
+}
+
+impl<const N: usize> Clipping for ClipPlanes<N> {
+    const CUTS: bool = true;
+}
+
+impl UserPlanes for ClipAll {
+    type Axes = CameraAxes;
+
+    #[inline(always)]
+    fn axes(&self) -> CameraAxes {
+        CameraAxes
+    }
+}
+
+impl UserPlanes for ClipNone {
+    type Axes = CameraAxes;
+
+    #[inline(always)]
+    fn axes(&self) -> CameraAxes {
+        CameraAxes
+    }
+}
+
+impl<const N: usize> UserPlanes for ClipPlanes<N> {
+    const EXIST: bool = N > 0;
+    type Axes = CameraAxes;
+
+    #[inline(always)]
+    fn axes(&self) -> CameraAxes {
+        CameraAxes
+    }
+
+    #[inline(always)]
+    fn placed(self, pose: &Pose, mesh: &Mesh<'_>) -> Self {
+        self.placed(pose, mesh)
+    }
+
+    #[inline(always)]
+    fn keeps(&self, position: [i16; 3]) -> bool {
+        self.keeps(position)
+    }
+
+    #[inline(always)]
+    fn excludes(&self, positions: impl Iterator<Item = [i16; 3]> + Clone) -> bool {
+        self.excludes(positions)
+    }
+
+    #[inline(always)]
+    fn cut<C: Coordinate, V: Varyings>(
+        &self,
+        triangle: &[Corner<C, V>; 3],
+        kept: &mut Vec<ClipVertex<C, V>, MAX_CORNERS>,
+    ) {
+        self.cut(triangle, kept);
+    }
+
+    #[inline(always)]
+    fn cut_line<C: Coordinate, V: Varyings>(
+        &self,
+        ends: &[Corner<C, V>; 2],
+    ) -> Option<[ClipVertex<C, V>; 2]> {
+        self.cut_line(ends)
+    }
 }

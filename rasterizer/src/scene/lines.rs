@@ -4,8 +4,8 @@ use fixed::types::U0F32;
 
 use super::{Mode, Projected, Vertices, seen::Seen, style::Style, vertices::Lookup as _};
 use crate::{
-    geometry::{Clipping, Projection, ScreenVertex, clip_line},
-    mesh::{Lines, MeshVertex},
+    geometry::{Clipping, Projection, ScreenVertex, UserPlanes as _, clip_line},
+    mesh::Lines,
     output::{Blending, Target},
     raster::{Fragment, Line},
     shade::{OnScreen, Sample, Shader},
@@ -147,14 +147,13 @@ where
         Ok(())
     }
 
-    /// The part of a line between near plane, far plane and guard band.
+    /// The part of a line between near plane, far plane, guard band and the user's planes.
     #[cold]
     #[inline(never)]
     fn clipped(&self, ends: [usize; 2]) -> Option<Ends<V, Sh>> {
         let transform = &self.seen.transform;
-        let ends = ends.map(|index| {
-            self.seen.vertex_in_clip_space(&MeshVertex::new(self.seen.tables(), index))
-        });
+        let ends =
+            self.seen.mode.clipping().cut_line(&ends.map(|index| self.seen.corner(index)))?;
         clip_line(ends, transform).map(|ends| ends.map(|end| transform.place_on_screen(end)))
     }
 }

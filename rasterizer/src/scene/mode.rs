@@ -1,7 +1,8 @@
 //! How an object is drawn: its choices besides mesh, pose and shader.
 
 use crate::{
-    geometry::{ClipAll, Clipping, CullBack, Culling},
+    geometry::{ClipAll, Clipping, CullBack, Culling, Pose},
+    mesh::Mesh,
     output::Replace,
     raster::{DepthBias, NoBias},
 };
@@ -16,6 +17,13 @@ pub trait Mode: Copy + private::Sealed {
     type Blending: Copy;
     /// Whether the depth of triangles is moved.
     type Bias: DepthBias;
+
+    /// How triangles are treated that reach beyond the planes.
+    fn clipping(&self) -> &Self::Clipping;
+
+    /// The same for an object in its pose.
+    #[must_use]
+    fn placed(self, pose: &Pose, mesh: &Mesh<'_>) -> Self;
 
     /// How pixels are put onto a target.
     fn blending(&self) -> Self::Blending;
@@ -46,6 +54,16 @@ impl<K: Culling, L: Clipping, B: Copy, Z: DepthBias> Mode for Modes<K, L, B, Z> 
     type Clipping = L;
     type Blending = B;
     type Bias = Z;
+
+    #[inline(always)]
+    fn clipping(&self) -> &L {
+        &self.clipping
+    }
+
+    #[inline(always)]
+    fn placed(self, pose: &Pose, mesh: &Mesh<'_>) -> Self {
+        Self { clipping: self.clipping.placed(pose, mesh), ..self }
+    }
 
     #[inline(always)]
     fn blending(&self) -> B {

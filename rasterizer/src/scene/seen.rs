@@ -6,11 +6,11 @@ use heapless::Vec;
 
 use super::{MeshOrder, Mode, Object, Vertices, order::Sequence, vertices::Lookup};
 use crate::{
-    attribute::DepthFormat,
+    attribute::{DepthFormat, Interpolate},
     camera::Camera,
     geometry::{
-        ClipVertex, Clipping, Culling, MAX_CORNERS, ObjectView, PoseError, Projection,
-        ScreenVertex, Transform, clip,
+        ClipVertex, Clipping, Corner, Culling, MAX_CORNERS, ObjectView, PoseError, Projection,
+        ScreenVertex, Transform, UserPlanes as _, clip,
     },
     mesh::{Material, Mesh, MeshMaterial, MeshVertex, Tables},
     numbers::{Subpixel, codegen},
@@ -49,16 +49,26 @@ impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Seen<'a,
         let mut seen = Self {
             mesh: object.mesh,
             shader: object.shader.for_object(&view),
-            transform: Transform::new::<V::Subpixel>(camera, &object.pose, object.mesh),
+            transform: Transform::new::<V::Subpixel>(
+                camera,
+                object.mode.clipping().axes(),
+                &object.pose,
+                object.mesh,
+            ),
             vertices,
             is_outside_view: false,
             viewport: Window::within_range(&camera.viewport()),
-            mode: object.mode,
+            mode: object.mode.placed(&object.pose, object.mesh),
         };
         seen.is_outside_view = M::Clipping::CUTS
             && seen
                 .transform
                 .is_outside_view::<CoordinateOf<V, Sh>>(object.mesh.bounds(), seen.size());
+        if M::Clipping::CUTS && !seen.is_outside_view {
+            let bounds = object.mesh.bounds();
+            let corners = (0..8).map(|index| bounds.corner(index));
+            seen.is_outside_view = seen.mode.clipping().excludes(corners);
+        }
         seen
     }
 }
@@ -107,13 +117,13 @@ impl<'a, V, P: Projection, Sh: Shader, M> Seen<'a, V, P, Sh, M> {
     }
 }
 
-impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, M>
+impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, M: Mode>
     Seen<'_, &'v [ScreenVertex<S, D, OnScreen<Sh>>], P, Sh, M>
 {
     /// Projects all vertices into `storage`, which must hold exactly as many as the mesh has.
     pub(super) fn place(&mut self, storage: &'v mut [ScreenVertex<S, D, OnScreen<Sh>>]) {
         if !self.is_outside_view {
-            place(self.tables(), &self.shader, &self.transform, storage);
+            place(self.tables(), &self.shader, &self.transform, self.mode.clipping(), storage);
             self.vertices = storage;
         }
     }
@@ -186,15 +196,20 @@ where
                 if self.is_triangle_outside_view(index) {
                     continue;
                 }
-                let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
-                self.clip(index, &mut polygon);
-                let Some((hub, rim)) = polygon.split_first() else {
-                    continue;
-                };
-                for pair in rim.windows(2) {
-                    let corners = [hub, &pair[0], &pair[1]];
-                    if let Some(area) = Self::visible_area(corners, rows) {
-                        visit(index, corners, area)?;
+                // With planes of the user's own what they leave of a triangle is cut at the other
+                // planes, triangle by triangle.
+                let parts = if M::Clipping::EXIST { self.kept_parts(index) } else { 1 };
+                for part in 0..parts {
+                    let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();
+                    self.clip(index, part, &mut polygon);
+                    let Some((hub, rim)) = polygon.split_first() else {
+                        continue;
+                    };
+                    for pair in rim.windows(2) {
+                        let corners = [hub, &pair[0], &pair[1]];
+                        if let Some(area) = Self::visible_area(corners, rows) {
+                            visit(index, corners, area)?;
+                        }
                     }
                 }
             }
@@ -208,7 +223,8 @@ where
         &self,
         index: usize,
     ) -> ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>> {
-        on_screen(&self.shader, &self.transform, &MeshVertex::new(self.tables(), index))
+        let vertex = MeshVertex::new(self.tables(), index);
+        on_screen(&self.shader, &self.transform, self.mode.clipping(), &vertex)
     }
 
     /// A vertex that is to be clipped.
@@ -246,18 +262,53 @@ where
     }
 
     /// Clips a triangle against the near plane, far plane and guard band, into `corners`, which
-    /// must be empty. (An out-parameter, because a returned polygon would be copied.)
+    /// must be empty: of the triangles that the user's planes leave of it, the one of this number.
+    /// (An out-parameter, because a returned polygon would be copied.)
     #[cold]
     #[inline(never)]
-    fn clip(&self, index: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
-        let indices = self.tables().triangles.get(index).unwrap_or_default();
-        let triangle = indices
-            .into_iter()
-            .map(|index| self.vertex_in_clip_space(&MeshVertex::new(self.tables(), index)));
-        clip(triangle, &self.transform, |vertex| {
+    fn clip(&self, index: usize, part: usize, corners: &mut Polygon<V::Subpixel, V::Depth, Sh>) {
+        let visit = |vertex| {
             // There are as many places as `clip` has.
             let _ = corners.push(self.transform.place_on_screen(vertex));
-        });
+        };
+        if M::Clipping::EXIST {
+            let kept = self.kept(index);
+            let Some((hub, rim)) = kept.split_first() else { return };
+            let Some(pair) = rim.windows(2).nth(part) else { return };
+            clip([*hub, pair[0], pair[1]], &self.transform, visit);
+        } else {
+            let indices = self.tables().triangles.get(index).unwrap_or_default();
+            let triangle = indices
+                .into_iter()
+                .map(|index| self.vertex_in_clip_space(&MeshVertex::new(self.tables(), index)));
+            clip(triangle, &self.transform, visit);
+        }
+    }
+
+    /// How many triangles the user's planes leave of one.
+    #[cold]
+    #[inline(never)]
+    fn kept_parts(&self, index: usize) -> usize {
+        self.kept(index).len().saturating_sub(2)
+    }
+
+    /// What the user's planes leave of a triangle: the corners of a convex polygon.
+    #[inline(always)]
+    fn kept(
+        &self,
+        index: usize,
+    ) -> Vec<ClipVertex<CoordinateOf<V, Sh>, Sh::Varyings>, MAX_CORNERS> {
+        let triangle = self.tables().triangles.get(index).unwrap_or_default();
+        let mut kept = Vec::new();
+        self.mode.clipping().cut(&triangle.map(|index| self.corner(index)), &mut kept);
+        kept
+    }
+
+    /// A vertex that is to be clipped, with its position.
+    #[inline(always)]
+    pub(super) fn corner(&self, index: usize) -> Corner<CoordinateOf<V, Sh>, Sh::Varyings> {
+        let vertex = MeshVertex::new(self.tables(), index);
+        (vertex.position(), self.vertex_in_clip_space(&vertex))
     }
 }
 
@@ -268,6 +319,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     tables: &Tables<'_>,
     shader: &Sh,
     transform: &Transform<P>,
+    clipping: &impl Clipping,
     vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
 ) {
     let count = vertices.len();
@@ -282,7 +334,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        *vertex = on_screen(shader, &transform, &MeshVertex::new(&tables, index));
+        *vertex = on_screen(shader, &transform, clipping, &MeshVertex::new(&tables, index));
     }
 }
 
@@ -291,8 +343,12 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
 fn on_screen<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     shader: &Sh,
     transform: &Transform<P>,
+    clipping: &impl Clipping,
     vertex: &MeshVertex<'_>,
 ) -> ScreenVertex<S, D, OnScreen<Sh>> {
+    if !clipping.keeps(vertex.position()) {
+        return ScreenVertex::off_screen(Interpolate::ZERO);
+    }
     let varyings = shader.vertex(vertex);
     transform.clip_to_screen(transform.object_to_clip(vertex.position(), varyings))
 }
