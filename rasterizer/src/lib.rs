@@ -173,6 +173,9 @@
 //! | destination | the target's type | [`Frame`](output::Frame), [`Bands`](output::Bands) of it, [`Direct`](output::Direct) |
 //! | pixels of less than a byte | the target's type | [`PackedFrame`](output::PackedFrame), [`Bands::packed`](output::Bands::packed); [`InRows`](output::InRows) or [`InPages`](output::InPages) |
 //! | pixels that may change | a wrapper of the target | all of it, or those in a rectangle: [`Scissored`](output::Scissored) |
+//! | each pixel once, where triangles overlap | a wrapper of the target | [`Once`](output::Once), with a bit for each pixel |
+//! | billboards, particles | a mesh and a pose | [`Card`](mesh::Card), [`Pose::facing`](geometry::Pose::facing) the camera, sized in units or [in pixels](geometry::Pose::in_pixels) |
+//! | shadow on a plane | [`Object::clipped`](scene::Object::clipped) | [`PlanarShadow`](geometry::PlanarShadow): the object's shadow in its place |
 //! | samples a pixel | the constructor of the bands | 1, or 2 x 2 and 4 x 4 with [`Bands::supersampled`](output::Bands::supersampled); [`Frame::resolved`](output::Frame::resolved) |
 //! | rows of a frame | its constructor | [`Packed`](output::Packed), or [`Strided`](output::Strided) in a larger buffer by [`with_stride`](output::Frame::with_stride) |
 //!
@@ -225,7 +228,8 @@
 //!
 //! # Not supported
 //!
-//! * Coloured light, shadows, normal maps, and highlights on textures.
+//! * Coloured light, normal maps, highlights on textures; shadows other than
+//!   [on a plane](geometry::PlanarShadow), by a far light, and blobs.
 //! * Antialiasing other than by [supersampling](output::Supersampled); points.
 //! * Textures over 1,024 texels wide or high, and anisotropic filters.
 //! * Sorting the triangles of several objects together: objects that are blended or drawn without

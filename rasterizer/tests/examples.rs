@@ -32,6 +32,7 @@ macro_rules! examples {
 
 examples! {
     bands = "../examples/bands.rs",
+    billboards = "../examples/billboards.rs",
     blending = "../examples/blending.rs",
     blending_modes = "../examples/blending_modes.rs",
     clip_planes = "../examples/clip_planes.rs",
@@ -66,6 +67,7 @@ examples! {
     projections = "../examples/projections.rs",
     scissor = "../examples/scissor.rs",
     several_objects = "../examples/several_objects.rs",
+    shadows = "../examples/shadows.rs",
     smooth_lines = "../examples/smooth_lines.rs",
     supersampling = "../examples/supersampling.rs",
     text_over_picture = "../examples/text_over_picture.rs",

@@ -15,8 +15,10 @@
 
 mod clip;
 mod clip_planes;
+mod facing;
 mod lens;
 mod placement;
+mod planar_shadow;
 mod plane;
 mod pose;
 mod row;
@@ -29,6 +31,7 @@ pub(crate) use clip::{MAX_CORNERS, clip, clip_line};
 pub use clip_planes::ClipPlanes;
 pub(crate) use clip_planes::Corner;
 pub use lens::Projection;
+pub use planar_shadow::PlanarShadow;
 pub use plane::Plane;
 pub use pose::{Pose, PoseError};
 pub use screen::ScreenVertex;

@@ -9,6 +9,7 @@
 //! the model's own units, where `position` is three integers.
 
 mod bounds;
+mod card;
 mod check;
 mod columns;
 mod finish;
@@ -18,6 +19,7 @@ mod points;
 mod vertex;
 
 pub use bounds::BoundingBox;
+pub use card::Card;
 pub use check::MeshError;
 pub use columns::{Normals, Positions, TextureCoordinates, Triangles};
 use embedded_graphics_core::pixelcolor::Rgb888;

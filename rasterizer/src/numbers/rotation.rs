@@ -151,7 +151,7 @@ impl Rotation {
     }
 
     /// From rows in Q30 that are orthonormal.
-    pub(super) fn from_row_bits(rows: [[i32; 3]; 3]) -> Self {
+    pub(crate) fn from_row_bits(rows: [[i32; 3]; 3]) -> Self {
         Self { rows: rows.map(|row| row.map(I2F30::from_bits)) }
     }
 
