@@ -257,3 +257,26 @@ impl Column {
         if t < 0 { lesser } else { ONE - lesser }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{attribute::NoDepth, numbers::S8};
+
+    #[test]
+    fn a_window_far_away_has_no_pixel() {
+        let vertex =
+            |x, y| ScreenVertex::<S8, NoDepth, [u16; 0]>::checked(x, y, NoDepth, []).unwrap();
+        for end in [[5000, 300], [300, 5000], [-5000, 300]] {
+            let (from, to) = (vertex(0, 0), vertex(end[0], end[1]));
+            let line = SmoothLine::new([&from, &to], U8F8::ONE).unwrap();
+            for far in [-1 << 29, (1 << 29) - 8] {
+                for [left, top] in [[far, 0], [0, far], [far, far]] {
+                    let window = Window { left, top, right: left + 8, bottom: top + 8 };
+                    let layout = Layout { pitch: 0, origin: 0 };
+                    assert_eq!(line.for_each_span(&window, layout, |_| Err(())), Ok(()));
+                }
+            }
+        }
+    }
+}

@@ -12,7 +12,6 @@ use rasterizer::{
     camera::{Camera, Perspective},
     color::Rgb332,
     geometry::ScreenVertex,
-    mesh::Lines,
     numbers::Subpixel,
     output::{
         BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be,
@@ -27,6 +26,10 @@ use crate::{
     memory::Memory,
     nothing::Nothing,
 };
+
+/// An object whose vertices are in storage.
+type Seen<'a, S, D, Sh, M> =
+    Projected<'a, &'a [ScreenVertex<S, D, OnScreen<Sh>>], Perspective, Sh, M>;
 
 macro_rules! declare {
     ($($(#[$doc:meta])* $field:ident,)*) => {
@@ -281,28 +284,24 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         }
     }
 
-    /// Adds a whole frame of an object's lines in white, of all or of those that it does not hide.
-    pub fn add_lines<S: Subpixel, D: Depth, Sh, M, const PIXELS: usize>(
+    /// Adds a whole frame of an object, of which `draw` draws lines or points.
+    pub fn add_drawn<S: Subpixel, D: Depth, Sh, M: Mode, const PIXELS: usize>(
         &mut self,
         object: &Object<'_, Sh, M>,
         camera: &Camera,
         vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
-        (lines, are_hidden): (&Lines<'_>, bool),
+        draw: impl FnOnce(
+            &Seen<'_, S, D, Sh, M>,
+            &mut Frame<'_, Rgb565Be, D::Buffer<'_>>,
+        ) -> Result<(), Infallible>,
         memory: &mut Memory<PIXELS>,
     ) where
         Sh: Shader<Color = Rgb565Be>,
-        M: Mode<Blending: OnTargets<D>>,
     {
-        let white = Rgb565Be::new(31, 63, 31);
         let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
         let seen = seen.unwrap_or_else(fail);
         self.count(&seen);
-        self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| {
-            if are_hidden {
-                seen.draw_depth(frame)?;
-            }
-            seen.lines(lines).fill(white, frame)
-        });
+        self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| draw(&seen, frame));
     }
 
     /// Adds a whole frame from back to front by the painter's algorithm.

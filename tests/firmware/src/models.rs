@@ -1,5 +1,7 @@
 //! The models, converted by the build script.
 
+use rasterizer::mesh::{PointIndices, Points};
+
 include!(concat!(env!("OUT_DIR"), "/gear.rs"));
 include!(concat!(env!("OUT_DIR"), "/rocket.rs"));
 include!(concat!(env!("OUT_DIR"), "/torus_knot.rs"));
@@ -22,3 +24,17 @@ include!(concat!(env!("OUT_DIR"), "/suzanne.rs"));
 include!(concat!(env!("OUT_DIR"), "/spot_texture.rs"));
 #[cfg(models)]
 include!(concat!(env!("OUT_DIR"), "/spot_texture_8.rs"));
+
+/// All vertices of the sphere as points.
+pub static SPHERE_POINTS: Points<'static> =
+    Points::new_const(&SPHERE, PointIndices::U16(&all::<{ SPHERE.vertex_count() }>()));
+
+/// The numbers from 0 on.
+const fn all<const N: usize>() -> [u16; N] {
+    let (mut indices, mut vertex) = ([0; N], 0);
+    while vertex < N {
+        indices[vertex] = vertex as u16;
+        vertex += 1;
+    }
+    indices
+}

@@ -178,8 +178,9 @@ texels; *back-to-front* sorts its triangles and draws both sides without depth. 
 highlight from a viewer far away, unless it is *matte*; *lamp* is a light at a point. *fog* is
 exponential, at each pixel or at each *vertex*. *dither* is that of 8 x 8 thresholds, and *pages*
 are those of an OLED. *lines* are the edges of its faces, and *drawn* counts their pixels: with
-*hidden* those that the sphere does not hide, after its depth has been drawn. *scissored* draws in the
-right half of the picture.";
+*hidden* those that the sphere does not hide, after its depth has been drawn. *smooth* ones are
+antialiased, one pixel wide. *points* are its vertices, 3 x 3 pixels each. *scissored* draws in the
+right half of the picture. *painter* draws from back to front, without depth.";
 
     fn parse(outputs: &[Output]) -> Result<Self> {
         let mut scenes = Vec::new();
