@@ -74,7 +74,9 @@ fn lines_and_points_of_the_file_are_drawn() {
     // Without surfaces both points are seen, from the side.
     let view = View { yaw_degrees: 90.0, ..FRONT };
     let wires = LineOptions { edges: Edges::All, ..LineOptions::default() };
-    assert_eq!(count(&render_with_lines(&model, &view, wires).unwrap(), blue), 18);
+    let both = count(&render_with_lines(&model, &view, wires).unwrap(), blue);
+    // One of the red lines comes nearer from the middle of its point: up to two of its pixels.
+    assert!((16..=18).contains(&both), "{both}");
 }
 
 /// Edges over surfaces are those that surfaces do not hide.
