@@ -29,6 +29,10 @@ include!(concat!(env!("OUT_DIR"), "/spot_texture_8.rs"));
 pub static SPHERE_POINTS: Points<'static> =
     Points::new_const(&SPHERE, PointIndices::U16(&all::<{ SPHERE.vertex_count() }>()));
 
+/// All vertices of the ball as points.
+pub static BALL_POINTS: Points<'static> =
+    Points::new_const(&BALL, PointIndices::U16(&all::<{ BALL.vertex_count() }>()));
+
 /// The numbers from 0 on.
 const fn all<const N: usize>() -> [u16; N] {
     let (mut indices, mut vertex) = ([0; N], 0);

@@ -12,6 +12,7 @@ use embedded_graphics_core::{
 use rasterizer::{
     attribute::{DepthFormat, Interpolate, NoDepth, Varyings},
     camera::Camera,
+    fixed::types::U8F8,
     geometry::{Pose, Projection, ScreenVertex},
     mesh::Lines,
     numbers::{Rotation, Subpixel, Turn, Vec3},
@@ -147,7 +148,34 @@ where
             .ok()
     }
 
-    /// The same with the triangles sorted into the bands.
+    /// The same antialiased, one pixel wide.
+    pub(super) fn draw_smooth_lines<
+        P: Projection,
+        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
+        M: Mode<Blending = Replace>,
+    >(
+        &mut self,
+        lines: &Lines<'_>,
+        object: &Object<'_, Sh, M>,
+        camera: &Camera<P>,
+        display: &mut Display,
+    ) -> Option<()> {
+        let seen = object.project(camera, &mut self.vertices);
+        let Ok(seen) = &seen else { return None };
+        let mut bands = output::Bands::new(Self::PICTURE, &mut self.color, &mut self.depth).ok()?;
+        bands
+            .show(
+                display,
+                |band| band.clear_color(Rgb565::BLACK),
+                |band| {
+                    seen.draw_depth(band)?;
+                    seen.lines(lines).smooth(U8F8::ONE).fill(Rgb565::WHITE, band)
+                },
+            )
+            .ok()
+    }
+
+    /// Draws the object with its triangles sorted into the bands.
     pub(super) fn draw_binned<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,

@@ -1,4 +1,4 @@
-//! The scenes of lines: the edges of the ball.
+//! The scenes of lines and points: the edges of the ball, and its vertices.
 
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use rasterizer::{
@@ -11,7 +11,7 @@ use super::{
     frames::{Bands, for_each_view},
     scenes::{NARROW, PERSPECTIVE, PICTURE, camera},
 };
-use crate::models::{BALL, BALL_EDGES};
+use crate::models::{BALL, BALL_EDGES, BALL_POINTS};
 
 type Vertex<D> = ScreenVertex<S4, D, [u16; 0]>;
 
@@ -48,6 +48,45 @@ impl Scene for LinesHidden {
             let ball =
                 Object::new(&BALL, Unlit::new()).posed(view.pose()).biased(Bias::BEHIND_LINES);
             memory.draw_lines(&BALL_EDGES, &ball, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
+
+/// The same antialiased.
+#[derive(Clone, Copy, Debug)]
+pub struct LinesSmooth;
+
+impl Scene for LinesSmooth {
+    type Memory = Bands<S4, u16, [u16; 0], NARROW, { BALL.vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        for_each_view(|view| {
+            let ball =
+                Object::new(&BALL, Unlit::new()).posed(view.pose()).biased(Bias::BEHIND_LINES);
+            let camera = camera(view, PERSPECTIVE, PICTURE)?;
+            memory.draw_smooth_lines(&BALL_EDGES, &ball, &camera, display)
+        })
+    }
+}
+
+/// All vertices straight onto the display, without depth.
+#[derive(Clone, Copy, Debug)]
+pub struct PointsDirect;
+
+impl Scene for PointsDirect {
+    type Memory = [Vertex<NoDepth>; BALL.vertex_count()];
+
+    const MEMORY: Self::Memory = [ScreenVertex::EMPTY; BALL.vertex_count()];
+
+    fn draw(vertices: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        for_each_view(|view| {
+            let ball = Object::new(&BALL, Unlit::<Rgb565>::new()).posed(view.pose());
+            let camera = camera(view, PERSPECTIVE, PICTURE)?;
+            let seen = ball.project(&camera, &mut vertices[..]).ok()?;
+            let points = seen.points(&BALL_POINTS).sized(3);
+            points.fill(Rgb565::WHITE, &mut Direct::new(display)).ok()
         })
     }
 }

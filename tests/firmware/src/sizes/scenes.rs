@@ -22,7 +22,7 @@ pub use super::blended::{BlendedOver, BlendedSorted};
 pub use super::color::{DitheredDirect, DitheredPacked};
 pub use super::fog::{FogPixels, FogVertices, Matcap, VertexColors};
 pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
-pub use super::lines::{LinesDirect, LinesHidden};
+pub use super::lines::{LinesDirect, LinesHidden, LinesSmooth, PointsDirect};
 pub use super::painter::PainterDirect;
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
