@@ -159,6 +159,7 @@
 //! | points | a table of vertices, [`Points`](mesh::Points) | [`Projected::points`](scene::Projected::points): squares of a size in pixels, in one colour or by the shader |
 //! | alpha | the blending's factor, the shader, the texels | an [`Alpha`](color::Alpha) for the object, [`MaterialOpacity`](output::MaterialOpacity), [`Faded`](shade::Faded) by vertices, [`Translucent`](texture::Translucent) by texels |
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`GlossyGouraud`](shade::GlossyGouraud), [`Phong`](shade::Phong), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
+//! | the triangle that is seen at a pixel | a shader | [`Visibility`](shade::Visibility); [`Deferred`](shade::Deferred) shades those pixels alone |
 //! | fog | a shader around another one | [`Fogged`](shade::Fogged), [`AtPixels`](shade::AtPixels) or [`AtVertices`](shade::AtVertices) |
 //! | an object's own colour, or place of a texture | a shader around another one, a texture around another one | [`Recolored`](shade::Recolored), [`Offset`](texture::Offset) |
 //! | texels | the texture's type | [formats](texture), sizes, and borders: [`Repeat`](texture::Repeat), [`Mirror`](texture::Mirror), [`Clamp`](texture::Clamp) |

@@ -75,6 +75,7 @@ examples! {
     textured = "../examples/textured.rs",
     unlit = "../examples/unlit.rs",
     vertex_colors = "../examples/vertex_colors.rs",
+    visibility = "../examples/visibility.rs",
     wireframe = "../examples/wireframe.rs",
 }
 

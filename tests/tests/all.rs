@@ -45,6 +45,7 @@ mod supersampling;
 mod targets;
 mod textured_frames;
 mod unclipped;
+mod visibility;
 mod window_ends;
 #[cfg(not(rasterizer_narrow))]
 mod written_tables;

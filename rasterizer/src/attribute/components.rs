@@ -25,6 +25,11 @@ pub trait Components: Interpolate + Debug {
     /// Zero for each number, of 64 bits.
     const WIDE_ZEROS: Self::Each<u64>;
 
+    /// Whether gradients are divided exactly for every triangle. By the reciprocal, those of small
+    /// triangles are within 2<sup>-26</sup> of the largest one that a triangle of this extent and
+    /// area can have.
+    const HAS_EXACT_GRADIENTS: bool = false;
+
     /// Whether a shader reads the 1 / w of [`Corrected`](super::Corrected).
     const READS_INVERSE_W: bool = false;
 

@@ -129,6 +129,10 @@ pub trait Interpolate: Copy {
     /// The value of a vertex that has none yet.
     const ZERO: Self;
 
+    /// Whether the values of a vertex differ from one of its triangles to another, as
+    /// [`Weights`](super::Weights) do.
+    const DIFFERS_BY_TRIANGLE: bool = false;
+
     /// Its function of the pixel: a [`Plane`], or several, for linear numbers.
     type Field: Field;
     /// What is stepped from pixel to pixel.
@@ -167,6 +171,14 @@ pub trait Interpolate: Copy {
 
     /// Returns the value that a shader sees.
     fn sample(value: Self::Walk) -> Self::Sample;
+
+    /// Returns the values of a vertex as a corner, 0 to 2, of one of its triangles. Called if
+    /// [`DIFFERS_BY_TRIANGLE`](Self::DIFFERS_BY_TRIANGLE).
+    #[inline(always)]
+    #[must_use]
+    fn at_corner(self, _corner: usize) -> Self {
+        self
+    }
 }
 
 /// Linear numbers of one type.
@@ -217,6 +229,7 @@ where
 /// Numbers of two types, each in its own pieces.
 impl<A: Interpolate, B: Interpolate> Interpolate for (A, B) {
     const ZERO: Self = (A::ZERO, B::ZERO);
+    const DIFFERS_BY_TRIANGLE: bool = A::DIFFERS_BY_TRIANGLE || B::DIFFERS_BY_TRIANGLE;
 
     type Field = (A::Field, B::Field);
     type Walk = (A::Walk, B::Walk);
@@ -251,6 +264,11 @@ impl<A: Interpolate, B: Interpolate> Interpolate for (A, B) {
     #[inline(always)]
     fn sample((one, other): Self::Walk) -> Self::Sample {
         (A::sample(one), B::sample(other))
+    }
+
+    #[inline(always)]
+    fn at_corner(self, corner: usize) -> Self {
+        (self.0.at_corner(corner), self.1.at_corner(corner))
     }
 }
 

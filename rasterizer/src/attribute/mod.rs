@@ -11,7 +11,8 @@
 //! ```
 //!
 //! The type of a number decides how it is interpolated: 16 bits, signed or unsigned, in steps of 32
-//! bits; 32 bits in steps of 64. Arrays are of one type, tuples of several.
+//! bits; 32 bits in steps of 64. Arrays are of one type, tuples of several. [`Weights`] are
+//! barycentric coordinates, the one kind that a vertex has for each of its triangles.
 
 mod components;
 mod depth;
@@ -21,6 +22,7 @@ mod interpolate;
 mod perspective;
 mod plane;
 mod varyings;
+mod weights;
 
 pub use components::Components;
 pub use depth::{DepthFormat, NoDepth};
@@ -32,3 +34,4 @@ pub use perspective::{
 pub use plane::{Field, Plane, QuickGradients, TriangleSetup};
 pub(crate) use varyings::lerp;
 pub use varyings::{InverseW, Varyings};
+pub use weights::Weights;

@@ -44,6 +44,14 @@ pub trait Varyings: Copy {
 
     /// Called once for each vertex that gets a place on the screen, where 1 / w is known.
     fn on_screen(self, inverse_w: InverseW) -> Self::OnScreen;
+
+    /// Returns the values of a vertex as a corner, 0 to 2, of one of its triangles. Called for
+    /// triangles that are clipped; [`Interpolate::at_corner`] is for others.
+    #[inline(always)]
+    #[must_use]
+    fn at_corner(self, _corner: usize) -> Self {
+        self
+    }
 }
 
 /// Returns `a + (b - a) t / 2^30`, rounded to the nearest: never outside `a` and `b`.
@@ -85,6 +93,11 @@ where
     fn on_screen(self, inverse_w: InverseW) -> Self::OnScreen {
         self.map(|a| a.on_screen(inverse_w))
     }
+
+    #[inline(always)]
+    fn at_corner(self, corner: usize) -> Self {
+        self.map(|a| a.at_corner(corner))
+    }
 }
 
 impl<A: Varyings, B: Varyings> Varyings for (A, B) {
@@ -97,6 +110,11 @@ impl<A: Varyings, B: Varyings> Varyings for (A, B) {
     #[inline(always)]
     fn on_screen(self, inverse_w: InverseW) -> Self::OnScreen {
         (self.0.on_screen(inverse_w), self.1.on_screen(inverse_w))
+    }
+
+    #[inline(always)]
+    fn at_corner(self, corner: usize) -> Self {
+        (self.0.at_corner(corner), self.1.at_corner(corner))
     }
 }
 

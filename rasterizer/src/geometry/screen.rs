@@ -48,6 +48,12 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> ScreenVertex<S, D, V> {
         }
     }
 
+    /// This vertex as a corner, 0 to 2, of one of its triangles.
+    #[inline(always)]
+    pub(crate) fn at(&self, corner: usize) -> Self {
+        Self::new(self.x, self.y, self.depth, self.varyings.at_corner(corner))
+    }
+
     /// From its coordinates in sub-pixels.
     #[inline(always)]
     pub(crate) const fn new(x: i32, y: i32, depth: D, varyings: V) -> Self {

@@ -61,6 +61,14 @@ impl Axes for CameraAxes {
     }
 }
 
+impl<C, V: Varyings> ClipVertex<C, V> {
+    /// This vertex as a corner, 0 to 2, of one of its triangles.
+    #[inline(always)]
+    pub(crate) fn at(self, corner: usize) -> Self {
+        Self { varyings: self.varyings.at_corner(corner), ..self }
+    }
+}
+
 /// Everything between an object's table and the screen, for one frame.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Transform<P: Projection> {

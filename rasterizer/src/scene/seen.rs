@@ -1,6 +1,6 @@
 //! An object as the camera sees it: which of its triangles are visible, and where.
 
-use core::{convert::Infallible, ops::Range};
+use core::{array, convert::Infallible, ops::Range};
 
 use heapless::Vec;
 
@@ -189,7 +189,12 @@ where
             };
             if corners.iter().all(|corner| corner.is_on_screen()) {
                 if let Some(area) = Self::visible_area(corners, rows) {
-                    visit(index, corners, area)?;
+                    if OnScreen::<Sh>::DIFFERS_BY_TRIANGLE {
+                        let own: [_; 3] = array::from_fn(|corner| corners[corner].at(corner));
+                        visit(index, own.each_ref(), area)?;
+                    } else {
+                        visit(index, corners, area)?;
+                    }
                 }
             } else if M::Clipping::CUTS {
                 // Most triangles that reach out of the guard band have nothing in the picture.
@@ -280,7 +285,8 @@ where
             let indices = self.tables().triangles.get(index).unwrap_or_default();
             let triangle = indices
                 .into_iter()
-                .map(|index| self.vertex_in_clip_space(&MeshVertex::new(self.tables(), index)));
+                .enumerate()
+                .map(|(corner, index)| self.corner(index).1.at(corner));
             clip(triangle, &self.transform, visit);
         }
     }
@@ -300,7 +306,11 @@ where
     ) -> Vec<ClipVertex<CoordinateOf<V, Sh>, Sh::Varyings>, MAX_CORNERS> {
         let triangle = self.tables().triangles.get(index).unwrap_or_default();
         let mut kept = Vec::new();
-        self.mode.clipping().cut(&triangle.map(|index| self.corner(index)), &mut kept);
+        let triangle = array::from_fn(|corner| {
+            let (position, vertex) = self.corner(triangle[corner]);
+            (position, vertex.at(corner))
+        });
+        self.mode.clipping().cut(&triangle, &mut kept);
         kept
     }
 

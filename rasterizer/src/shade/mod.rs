@@ -25,6 +25,7 @@ mod recolored;
 #[cfg(test)]
 mod scenes;
 mod textured;
+mod visible;
 
 pub use colored::{Colored, ColoredGouraud};
 pub use dithered::{Dithered, DitheredPixel};
@@ -43,6 +44,7 @@ pub use recolored::Recolored;
 pub use textured::{
     Covered, Matcap, Slot, Textured, TexturedFlat, TexturedGouraud, VertexCoordinates,
 };
+pub use visible::{Deferred, DeferredPixel, Visibility, VisiblePixel};
 
 pub use crate::texture::{Layer, Outcome};
 use crate::{

@@ -34,6 +34,7 @@ impl Correction for EveryPixel {
 
 impl<V: Components> Interpolate for OnEveryPixel<V> {
     const ZERO: Self = Self { value: V::ZERO, inverse_w: InverseW::ZERO };
+    const DIFFERS_BY_TRIANGLE: bool = V::DIFFERS_BY_TRIANGLE;
 
     type Field = Quotient<V>;
     type Walk = Dividend<V>;
@@ -47,6 +48,7 @@ impl<V: Components> Interpolate for OnEveryPixel<V> {
     ) -> Quotient<V> {
         let corners = Corners::new(corners.map(|corner| (corner.value, corner.inverse_w)));
         let bits = corners.bits();
+        let quick = quick.filter(|_| !V::HAS_EXACT_GRADIENTS);
         Quotient::new(setup, quick, &corners, bits)
     }
 
@@ -71,6 +73,11 @@ impl<V: Components> Interpolate for OnEveryPixel<V> {
             value: V::sample(V::walk_from(at.divided(&block))),
             inverse_w: InverseW::from_bits(block.inverse_w(at.q())),
         }
+    }
+
+    #[inline(always)]
+    fn at_corner(self, corner: usize) -> Self {
+        Self { value: self.value.at_corner(corner), ..self }
     }
 }
 

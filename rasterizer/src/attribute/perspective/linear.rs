@@ -26,6 +26,7 @@ impl Correction for Affine {
 
 impl<V: Components> Interpolate for OnPlane<V> {
     const ZERO: Self = Self(V::ZERO);
+    const DIFFERS_BY_TRIANGLE: bool = V::DIFFERS_BY_TRIANGLE;
 
     type Field = V::Field;
     type Walk = V::Walk;
@@ -54,5 +55,10 @@ impl<V: Components> Interpolate for OnPlane<V> {
     #[inline(always)]
     fn sample(value: V::Walk) -> Corrected<V::Sample> {
         Corrected { value: V::sample(value), inverse_w: InverseW::ONE }
+    }
+
+    #[inline(always)]
+    fn at_corner(self, corner: usize) -> Self {
+        Self(self.0.at_corner(corner))
     }
 }

@@ -29,7 +29,8 @@ use super::{Components, Interpolate, InverseW, Varyings};
 ///
 /// Let U be the range of u over a triangle and r the ratio of the largest 1 / w of its corners to
 /// the least. Where u is divided, it is within U (r 2<sup>-27</sup> + 2<sup>-26</sup>) of the exact
-/// value on the snapped corners, or, with [`Adaptive`], within the tolerance, as between divisions.
+/// value on the snapped corners, or within what 1/256 of a pixel changes, whichever is more; with
+/// [`Adaptive`], within the tolerance, as between divisions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PerspectiveCorrect<V, M> {
     value: V,
@@ -55,6 +56,11 @@ impl<V: Components + Varyings<OnScreen = V>, M: Correction> Varyings for Perspec
     #[inline(always)]
     fn on_screen(self, inverse_w: InverseW) -> Self::OnScreen {
         M::on_screen(self.value, inverse_w)
+    }
+
+    #[inline(always)]
+    fn at_corner(self, corner: usize) -> Self {
+        Self::new(Varyings::at_corner(self.value, corner))
     }
 }
 

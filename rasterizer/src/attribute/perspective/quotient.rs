@@ -24,6 +24,12 @@
 //! off by a unit for their rounding at the corner and half a unit for that at the pixel, and by n /
 //! 2^18 over n pixels: with numerators of half the size, by U r 2^-27 together. The reciprocal adds
 //! U 2^-27, and the product's lost bits U 2^-27.
+//!
+//! That is with gradients that are divided exactly. By the reciprocal ([`QuickGradients`]) they are
+//! within 2^-26 of the largest gradient of a triangle of this extent e and area, which is e / area
+//! of the range: over e pixels u is off by U r 2^-25 e^2 / area, and e^2 / area is at most 64. A
+//! pixel changes u by U / e or more, so that this is less than 1/256 of one for the 128 pixels of a
+//! quick triangle in 8 bits, and for 2,048 in 4 bits.
 
 use crate::{
     attribute::{Components, Field, InverseW, Plane, QuickGradients, TriangleSetup},

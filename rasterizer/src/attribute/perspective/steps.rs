@@ -72,6 +72,7 @@ impl<V: Components> Field for SteppedField<V> {
 
 impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
     const ZERO: Self = Self { value: V::ZERO, inverse_w: InverseW::ZERO, pace: PhantomData };
+    const DIFFERS_BY_TRIANGLE: bool = V::DIFFERS_BY_TRIANGLE;
 
     type Field = SteppedField<V>;
     type Walk = SteppedWalk<V>;
@@ -181,6 +182,11 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
                 InverseW::ONE
             },
         }
+    }
+
+    #[inline(always)]
+    fn at_corner(self, corner: usize) -> Self {
+        Self { value: self.value.at_corner(corner), ..self }
     }
 }
 

@@ -1,0 +1,151 @@
+//! Shading after all triangles are drawn.
+
+use embedded_graphics_core::{geometry::Point, primitives::Rectangle};
+
+use super::VisiblePixel;
+use crate::{
+    color::Alpha,
+    geometry::ObjectView,
+    mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
+    raster::{Fragment, Gradients},
+    shade::{Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner},
+};
+
+/// Another shader, for those pixels alone at which a visibility buffer has the triangle: each
+/// visible pixel is shaded once, however many triangles lie over one another. The picture is that
+/// of the shader with a depth buffer, pixel for pixel.
+///
+/// The object is drawn twice: by [`Visibility`](super::Visibility) with depth, with all that may
+/// hide it, and then by this, which needs no depth. It pays where shading a pixel costs more than
+/// drawing it twice, times the layers that are hidden: with [`Phong`](crate::shade::Phong) and
+/// lamps. Pixels that the shader itself discards still hide what is behind them.
+///
+/// ```
+/// # use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
+/// # use rasterizer::{attribute::NoDepth, mesh::Mesh, output::Frame, prelude::*};
+/// use rasterizer::shade::{Deferred, Phong, Visibility, VisiblePixel};
+///
+/// # fn draw<'a>(
+/// #     mesh: &'a Mesh<'a>,
+/// #     phong: Phong<Rgb565>,
+/// #     camera: &Camera,
+/// #     (display, buffer): (Rectangle, &mut Frame<'_, VisiblePixel, &mut [u16]>),
+/// #     frame: &mut Frame<'_, Rgb565, NoDepth>,
+/// # ) -> Result<(), Box<dyn core::error::Error>> {
+/// // First all objects, each with a number.
+/// let seen = Object::new(mesh, Visibility::of_object(0));
+/// seen.project_on_demand(camera, S8)?.draw(buffer)?;
+/// // Then the pixels of each that are seen.
+/// let shaded = Object::new(mesh, Deferred::new(phong, 0, buffer.pixels(), display));
+/// shaded.project_on_demand(camera, S8)?.draw(frame)?;
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Deferred<'b, Sh> {
+    shader: Sh,
+    object: u8,
+    pixels: &'b [VisiblePixel],
+    /// The place of the first pixel, and the pixels of a row.
+    first: Point,
+    width: i32,
+}
+
+impl<'b, Sh: Shader> Deferred<'b, Sh> {
+    /// A shader for the visible pixels of the object with this number, in a visibility buffer of an
+    /// area, row by row. Pixels outside of it are not drawn.
+    #[must_use]
+    pub const fn new(shader: Sh, object: u8, pixels: &'b [VisiblePixel], area: Rectangle) -> Self {
+        let (first, width) = (area.top_left, area.size.width as i32);
+        Self { shader, object, pixels, first, width }
+    }
+
+    /// Whether a triangle is seen at a pixel.
+    #[inline(always)]
+    fn is_visible(&self, id: u32, column: i32, row: i32) -> bool {
+        let (x, y) = (column.wrapping_sub(self.first.x), row.wrapping_sub(self.first.y));
+        // A column beyond the area would be one of another row.
+        x.cast_unsigned() < self.width.cast_unsigned()
+            && self
+                .pixels
+                .get(y.wrapping_mul(self.width).wrapping_add(x).cast_unsigned() as usize)
+                .is_some_and(|pixel| pixel.id == id)
+    }
+}
+
+impl<Sh: Shader> Shader for Deferred<'_, Sh> {
+    type Color = Sh::Color;
+    type Varyings = Sh::Varyings;
+    type Surface = Sh::Surface;
+    type Face = (u32, Face<Sh::Color, Sh::Face>);
+    type Outcome = DeferredPixel<Sh::Color, Sh::Outcome>;
+
+    const TABLES: RequiredTables = Sh::TABLES;
+
+    fn for_object(&self, view: &ObjectView<'_>) -> Self {
+        Self { shader: self.shader.for_object(view), ..*self }
+    }
+
+    fn surface(&self, material: &MeshMaterial<'_>) -> Sh::Surface {
+        self.shader.surface(material)
+    }
+
+    #[inline(always)]
+    fn vertex(&self, vertex: &MeshVertex<'_>) -> Sh::Varyings {
+        self.shader.vertex(vertex)
+    }
+
+    #[inline(always)]
+    fn face(
+        &self,
+        surface: &Sh::Surface,
+        face: &MeshFace<'_>,
+        gradients: &Gradients<'_, OnScreen<Self>>,
+    ) -> Face<Sh::Color, Self::Face> {
+        let id = VisiblePixel::id(self.object, face.index());
+        Face::Shaded((id, self.shader.face(surface, face, gradients)))
+    }
+
+    #[inline(always)]
+    fn pixel(
+        &self,
+        surface: &Sh::Surface,
+        face: &Self::Face,
+        fragment: Fragment<Sample<Self>>,
+    ) -> Self::Outcome {
+        self.pixels(surface, *face)(fragment)
+    }
+
+    #[inline(always)]
+    fn pixels(
+        &self,
+        surface: &Sh::Surface,
+        (id, face): Self::Face,
+    ) -> impl Fn(Fragment<Sample<Self>>) -> Self::Outcome + Copy {
+        let pixel = inner::pixels(&self.shader, surface, face);
+        move |fragment| {
+            let is_visible = self.is_visible(id, fragment.column, fragment.row);
+            DeferredPixel(is_visible.then(|| pixel(fragment)))
+        }
+    }
+}
+
+/// A pixel of [`Deferred`].
+#[derive(Clone, Copy, Debug)]
+pub struct DeferredPixel<C, O>(Option<InnerPixel<C, O>>);
+
+impl<C, O: Outcome<C>> Outcome<C> for DeferredPixel<C, O> {
+    const DISCARDS: bool = true;
+    const WRITES_DEPTH: bool = O::WRITES_DEPTH;
+    const HAS_ALPHA: bool = O::HAS_ALPHA;
+
+    #[inline(always)]
+    fn color(self) -> Option<C> {
+        self.0?.color()
+    }
+
+    #[inline(always)]
+    fn layer(self) -> Option<(C, Alpha)> {
+        self.0?.layer()
+    }
+}
