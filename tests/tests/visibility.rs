@@ -47,11 +47,11 @@ fn weights(corners: [[f64; 3]; 3], [x, y]: [f64; 2]) -> [f64; 3] {
     parts.map(|part| part / parts.iter().sum::<f64>())
 }
 
-/// A triangle drawn into a visibility buffer, and its corners on the screen if it is not clipped.
-fn drawn<S: Subpixel, M: Correction>(
-    positions: &[[i16; 3]; 3],
-    mode: M,
-) -> Option<(Vec<VisiblePixel>, Option<[[f64; 2]; 3]>)> {
+/// The pixels of a visibility buffer, and a triangle's corners on the screen if it is not clipped.
+type Drawn = (Vec<VisiblePixel>, Option<[[f64; 2]; 3]>);
+
+/// Draws a triangle; `None` if it comes too near.
+fn drawn<S: Subpixel, M: Correction>(positions: &[[i16; 3]; 3], mode: M) -> Option<Drawn> {
     let mesh = Mesh::new(Tables {
         positions: Positions::I16(positions),
         scale: Scale::new(1, -7),
