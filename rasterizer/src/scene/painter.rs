@@ -22,8 +22,8 @@ use crate::{
 /// # use rasterizer::{attribute::NoDepth, mesh::Mesh, output::Frame, prelude::*};
 /// use rasterizer::scene::{Needs, Painter};
 ///
-/// # static HOUSE: Mesh<'static> = Mesh::new_const(rasterizer::mesh::Tables::EMPTY);
-/// # static TREE: Mesh<'static> = Mesh::new_const(rasterizer::mesh::Tables::EMPTY);
+/// # static HOUSE: Mesh<'static> = rasterizer::mesh::Card::<3, 2>::STANDING;
+/// # static TREE: Mesh<'static> = rasterizer::mesh::Card::<1, 4>::STANDING;
 /// # fn draw(
 /// #     house: Object<'_, Flat<Rgb565>>,
 /// #     tree: Object<'_, Gouraud<Rgb565>>,
