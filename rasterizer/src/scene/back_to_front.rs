@@ -5,8 +5,8 @@ use core::{convert::Infallible, iter::Copied, ops::Range, slice};
 use super::{
     MeshOrder, Mode, Order, ProjectError, Projected, Vertices,
     order::Sequence,
-    seen::{CoordinateOf, Rows, Seen},
-    sort::{Distances, Packing, sort},
+    seen::{CoordinateOf, Rows},
+    sort::{Distances, Members, Packing, sort},
 };
 use crate::{
     geometry::Projection,
@@ -56,17 +56,27 @@ where
         self,
         storage: &'b mut [u32],
     ) -> Result<Projected<'a, V, P, Sh, M, BackToFront<'b>>, ProjectError> {
-        let needed = self.seen.triangle_count();
-        let words = storage.get_mut(..needed).ok_or(ProjectError::SortStorage { needed })?;
-        let packing = Packing::new(self.seen.distances(), needed);
-        let count = self.seen.write_words(words, packing, 0);
-        let words = words.get_mut(..count).unwrap_or_default();
-        sort(words);
-        Ok(Projected { seen: self.seen, order: BackToFront { words, packing, first: 0 } })
+        let order = BackToFront::sorted(&&self, storage)?;
+        Ok(Projected { seen: self.seen, order })
     }
 }
 
-impl BackToFront<'_> {
+impl<'b> BackToFront<'b> {
+    /// Sorts the triangles that are seen of some objects.
+    #[inline(always)]
+    pub(super) fn sorted(
+        objects: &impl Members,
+        storage: &'b mut [u32],
+    ) -> Result<Self, ProjectError> {
+        let needed = objects.triangle_count();
+        let words = storage.get_mut(..needed).ok_or(ProjectError::SortStorage { needed })?;
+        let packing = Packing::new(objects.distances(), needed);
+        let count = objects.write_words(words, packing, 0);
+        let words = words.get_mut(..count).unwrap_or_default();
+        sort(words);
+        Ok(Self { words, packing, first: 0 })
+    }
+
     /// The places of the triangles in the mesh's table, from back to front.
     pub fn triangles(&self) -> impl Iterator<Item = usize> {
         self.words.iter().map(|&word| self.number(word))
@@ -97,39 +107,52 @@ impl BackToFront<'_> {
     }
 }
 
-impl<V, P: Projection, Sh: Shader, M: Mode> Seen<'_, V, P, Sh, M>
+/// One object.
+impl<V, P, Sh, M> Members for &Projected<'_, V, P, Sh, M>
 where
     V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
 {
-    /// The distances that its triangles can have.
-    pub(super) fn distances(&self) -> Distances {
-        if self.is_outside_view {
-            return Distances::NONE;
-        }
-        Distances::between(self.transform.distances(self.mesh), self.transform.unit())
+    const COUNT: usize = 1;
+
+    fn triangle_count(&self) -> usize {
+        self.seen.triangle_count()
     }
 
-    /// Puts the words of the triangles that are seen into the first of `words`, which has room for
-    /// all of the mesh, and returns how many they are. Numbers count from `first`.
-    pub(super) fn write_words(&self, words: &mut [u32], packing: Packing, first: usize) -> usize {
-        let zero = self.transform.distance_zero::<CoordinateOf<V, Sh>>(self.mesh);
+    fn distances(&self) -> Distances {
+        let seen = &self.seen;
+        if seen.is_outside_view {
+            return Distances::NONE;
+        }
+        Distances::between(seen.transform.distances(seen.mesh), seen.transform.unit())
+    }
+
+    fn write_words(&self, words: &mut [u32], packing: Packing, first: usize) -> usize {
+        let seen = &self.seen;
+        let zero = seen.transform.distance_zero::<CoordinateOf<V, Sh>>(seen.mesh);
         let packing = packing.of_object(self.distances(), zero);
         let (mut count, mut last) = (0, usize::MAX);
-        let all = (&MeshOrder, &(), 0..self.triangle_count());
-        let rows = Rows::of::<V::Subpixel>(&self.viewport);
-        let mut lookup = self.vertices.lookup();
-        let Ok(()) = self.for_each_visible(all, rows, &mut lookup, |number, _, _| {
+        let all = (&MeshOrder, &(), 0..seen.triangle_count());
+        let rows = Rows::of::<V::Subpixel>(&seen.viewport);
+        let mut lookup = seen.vertices.lookup();
+        let Ok(()) = seen.for_each_visible(all, rows, &mut lookup, |number, _, _| {
             // The parts of one that is clipped come one after the other.
             if number != last {
                 last = number;
                 if let Some(word) = words.get_mut(count) {
-                    *word = packing.word(self.distance(number), first + number);
+                    *word = packing.word(seen.distance(number), first + number);
                     count += 1;
                 }
             }
             Ok::<(), Infallible>(())
         });
         count
+    }
+
+    fn locate(&self, number: usize) -> (usize, usize) {
+        (0, number)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{
     BackToFront, Mode, ProjectError, Projected, Vertices,
-    sort::{Distances, Packing, sort},
+    sort::{Distances, Members, Packing},
 };
 use crate::{
     geometry::Projection,
@@ -68,8 +68,7 @@ use crate::{
 #[derive(Clone, Copy, Debug)]
 pub struct Painter<'b, O> {
     objects: O,
-    words: &'b [u32],
-    packing: Packing,
+    order: BackToFront<'b>,
 }
 
 impl<'b, O: Objects> Painter<'b, O> {
@@ -84,19 +83,14 @@ impl<'b, O: Objects> Painter<'b, O> {
     ///
     /// If the storage is too small.
     pub fn new(objects: O, storage: &'b mut [u32]) -> Result<Self, ProjectError> {
-        let needed = objects.triangle_count();
-        let words = storage.get_mut(..needed).ok_or(ProjectError::SortStorage { needed })?;
-        let packing = Packing::new(objects.distances(), needed);
-        let count = objects.write_words(words, packing, 0);
-        let words = words.get_mut(..count).unwrap_or_default();
-        sort(words);
-        Ok(Self { objects, words, packing })
+        let order = BackToFront::sorted(&objects, storage)?;
+        Ok(Self { objects, order })
     }
 
     /// The triangles from back to front: the place of each one's object in the tuple, and its own
     /// in the object's mesh.
     pub fn triangles(&self) -> impl Iterator<Item = (usize, usize)> {
-        self.words.iter().map(|&word| self.objects.locate(self.packing.number(word)))
+        self.order.triangles().map(|number| self.objects.locate(number))
     }
 
     /// Draws them.
@@ -108,46 +102,24 @@ impl<'b, O: Objects> Painter<'b, O> {
     where
         O: DrawnInto<T>,
     {
-        let mut rest = self.order(self.words, 0);
+        let mut rest = self.order;
         while !rest.words.is_empty() {
             rest = self.objects.draw_first(rest, target)?;
         }
         Ok(())
     }
-
-    const fn order(&self, words: &'b [u32], first: usize) -> BackToFront<'b> {
-        BackToFront { words, packing: self.packing, first }
-    }
 }
 
 /// Objects that are sorted together: a tuple of one to eight references to [`Projected`] in the
 /// mesh's order. More of them are tuples in a tuple.
-pub trait Objects: private::Objects {}
+pub trait Objects: Members {}
 
 /// [`Objects`] that can be drawn into a target: of its colour and depth, blended in ways that its
 /// pixels allow.
 pub trait DrawnInto<T: Target>: Objects + private::DrawnInto<T> {}
 
 mod private {
-    use super::{BackToFront, Distances, Packing, Target};
-
-    pub trait Objects {
-        /// How many they are.
-        const COUNT: usize;
-
-        /// Of all meshes.
-        fn triangle_count(&self) -> usize;
-
-        /// The distances that triangles can have.
-        fn distances(&self) -> Distances;
-
-        /// Puts the words of the triangles that are seen into the first of `words`, and returns
-        /// how many they are. Numbers count from `first`.
-        fn write_words(&self, words: &mut [u32], packing: Packing, first: usize) -> usize;
-
-        /// The object of a triangle's number, and its place in the mesh.
-        fn locate(&self, number: usize) -> (usize, usize);
-    }
+    use super::{BackToFront, Target};
 
     pub trait DrawnInto<T: Target> {
         /// Draws the first triangles of an order, those of one object that come before any of
@@ -157,32 +129,6 @@ mod private {
             order: BackToFront<'b>,
             target: &mut T,
         ) -> Result<BackToFront<'b>, T::Error>;
-    }
-}
-
-impl<V, P, Sh, M> private::Objects for &Projected<'_, V, P, Sh, M>
-where
-    V: Vertices<OnScreen<Sh>>,
-    P: Projection,
-    Sh: Shader,
-    M: Mode,
-{
-    const COUNT: usize = 1;
-
-    fn triangle_count(&self) -> usize {
-        self.seen.triangle_count()
-    }
-
-    fn distances(&self) -> Distances {
-        self.seen.distances()
-    }
-
-    fn write_words(&self, words: &mut [u32], packing: Packing, first: usize) -> usize {
-        self.seen.write_words(words, packing, first)
-    }
-
-    fn locate(&self, number: usize) -> (usize, usize) {
-        (0, number)
     }
 }
 
@@ -209,10 +155,10 @@ where
 macro_rules! tuples {
     ($($($object:ident)+;)*) => {
         $(
-            impl<$($object: private::Objects),+> Objects for ($($object,)+) {}
+            impl<$($object: Members),+> Objects for ($($object,)+) {}
 
             #[expect(non_snake_case, reason = "a variable has the name of its type")]
-            impl<$($object: private::Objects),+> private::Objects for ($($object,)+) {
+            impl<$($object: Members),+> Members for ($($object,)+) {
                 const COUNT: usize = 0 $(+ $object::COUNT)+;
 
                 fn triangle_count(&self) -> usize {
@@ -253,11 +199,11 @@ macro_rules! tuples {
                 }
             }
 
-            impl<T: Target, $($object: private::Objects + private::DrawnInto<T>),+> DrawnInto<T>
+            impl<T: Target, $($object: Members + private::DrawnInto<T>),+> DrawnInto<T>
                 for ($($object,)+) {}
 
             #[expect(non_snake_case, reason = "a variable has the name of its type")]
-            impl<T: Target, $($object: private::Objects + private::DrawnInto<T>),+>
+            impl<T: Target, $($object: Members + private::DrawnInto<T>),+>
                 private::DrawnInto<T> for ($($object,)+)
             {
                 fn draw_first<'b>(

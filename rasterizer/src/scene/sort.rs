@@ -112,6 +112,25 @@ const fn bits(number: u32) -> u32 {
     if number == 0 { 0 } else { 32 - leading_zeros(number) }
 }
 
+/// Objects whose triangles are sorted together.
+pub trait Members {
+    /// How many they are.
+    const COUNT: usize;
+
+    /// Of all meshes.
+    fn triangle_count(&self) -> usize;
+
+    /// The distances that triangles can have.
+    fn distances(&self) -> Distances;
+
+    /// Puts the words of the triangles that are seen into the first of `words`, and returns
+    /// how many they are. Numbers count from `first`.
+    fn write_words(&self, words: &mut [u32], packing: Packing, first: usize) -> usize;
+
+    /// The object of a triangle's number, and its place in the mesh.
+    fn locate(&self, number: usize) -> (usize, usize);
+}
+
 /// Buckets of the first pass: by 8 bits.
 const BUCKETS: usize = 256;
 
