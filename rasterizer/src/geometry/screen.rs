@@ -54,6 +54,12 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> ScreenVertex<S, D, V> {
         Self::new(self.x, self.y, self.depth, self.varyings.at_corner(corner))
     }
 
+    /// This vertex without varyings.
+    #[inline(always)]
+    pub(crate) const fn bare(&self) -> ScreenVertex<S, D, [u16; 0]> {
+        ScreenVertex::new(self.x, self.y, self.depth, [])
+    }
+
     /// From its coordinates in sub-pixels.
     #[inline(always)]
     pub(crate) const fn new(x: i32, y: i32, depth: D, varyings: V) -> Self {

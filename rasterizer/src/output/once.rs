@@ -73,17 +73,15 @@ impl<'t, T: Target> Once<'t, T> {
 #[derive(Clone, Copy)]
 struct Bits<'t> {
     bits: &'t [Cell<u32>],
-    left: i32,
-    top: i32,
-    width: i32,
+    window: Window,
 }
 
 impl Bits<'_> {
     /// Sets a pixel's bit. Returns whether it is the first time.
     #[inline(always)]
     fn take(&self, column: i32, row: i32) -> bool {
-        let index = (row - self.top).wrapping_mul(self.width) + (column - self.left);
-        let Some(word) = self.bits.get(index as usize / 32) else { return false };
+        let Some(index) = self.window.index_of(column, row) else { return false };
+        let Some(word) = self.bits.get(index / 32) else { return false };
         let bit = 1 << (index % 32);
         let before = word.get();
         word.set(before | bit);
@@ -93,8 +91,7 @@ impl Bits<'_> {
 
 impl<T: Target> Once<'_, T> {
     const fn parts(&mut self) -> (&mut T, Bits<'_>) {
-        let Window { left, top, right, .. } = self.window;
-        (self.target, Bits { bits: self.bits, left, top, width: right - left })
+        (self.target, Bits { bits: self.bits, window: self.window })
     }
 }
 

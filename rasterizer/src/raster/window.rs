@@ -86,6 +86,20 @@ impl Window {
         self.left >= self.right || self.top >= self.bottom
     }
 
+    /// The place of a pixel among those of the window, row by row; beyond all of them, or `None`,
+    /// for one elsewhere.
+    #[inline(always)]
+    pub(crate) const fn index_of(&self, column: i32, row: i32) -> Option<usize> {
+        let (x, y) = (column.wrapping_sub(self.left), row.wrapping_sub(self.top));
+        let width = self.right.wrapping_sub(self.left);
+        if x.cast_unsigned() < width.cast_unsigned() {
+            Some(y.wrapping_mul(width).wrapping_add(x).cast_unsigned() as usize)
+        } else {
+            // It would be a place in another row.
+            None
+        }
+    }
+
     /// Returns the pixels that are in both.
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {

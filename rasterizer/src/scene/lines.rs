@@ -83,8 +83,7 @@ where
         let material = self.style.mesh_material(self.seen.tables());
         let blending = self.seen.mode.blending().of_material(&material);
         self.for_each_on_screen(|ends| {
-            let ends: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 2] =
-                ends.map(|end| ScreenVertex::new(end.x, end.y, end.depth, []));
+            let ends = ends.map(|end| end.bare());
             let line = Line::between(ends.each_ref(), self.style.pixels);
             blending.fill(target, &line, &window, color)
         })

@@ -87,9 +87,9 @@ where
         let material = self.style.mesh_material(self.seen.tables());
         let blending = self.seen.mode.blending().of_material(&material);
         self.for_each_on_screen(|vertex| {
-            let vertex: ScreenVertex<V::Subpixel, V::Depth, [u16; 0]> =
-                ScreenVertex::new(vertex.x, vertex.y, vertex.depth, []);
-            blending.fill(target, &Point::at(&vertex, self.style.pixels), &window, color)
+            let vertex = vertex.bare();
+            let point = Point::at(&vertex, self.style.pixels);
+            blending.fill(target, &point, &window, color)
         })
     }
 

@@ -113,8 +113,7 @@ where
             let triangles = (&self.order, &reach, run);
             seen.for_each_visible(triangles, rows, &mut lookup, |_, corners, area| {
                 let moved = seen.mode.bias().moved(corners, area);
-                let bare: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 3] =
-                    moved.map(|corner| ScreenVertex::new(corner.x, corner.y, corner.depth, []));
+                let bare = moved.map(|corner| corner.bare());
                 let triangle = Triangle::with_area(bare.each_ref(), area);
                 target.blend(&triangle, &window, |stored, _| stored)
             })

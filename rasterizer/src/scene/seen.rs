@@ -202,7 +202,8 @@ where
                     continue;
                 }
                 // With planes of the user's own what they leave of a triangle is cut at the other
-                // planes, triangle by triangle.
+                // planes, triangle by triangle. It is computed again for each of them: it would lie
+                // on the stack while pixels are drawn.
                 let parts = if M::Clipping::EXIST { self.kept_parts(index) } else { 1 };
                 for part in 0..parts {
                     let mut polygon = Polygon::<V::Subpixel, V::Depth, Sh>::new();

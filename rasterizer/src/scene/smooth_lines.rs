@@ -7,7 +7,7 @@ use fixed::types::U8F8;
 use super::{Mode, ProjectedLines, Vertices};
 use crate::{
     color::Alpha,
-    geometry::{Projection, ScreenVertex},
+    geometry::Projection,
     output::{Blending, KeepDepth, Over, Target},
     raster::{Fragment, SmoothLine},
     shade::{OnScreen, Outcome, Shader},
@@ -69,8 +69,7 @@ where
         let window = target.window().intersection(&lines.seen.viewport);
         let blending = self.blending.of_material(&lines.style.mesh_material(lines.seen.tables()));
         lines.for_each_on_screen(|ends| {
-            let ends: [ScreenVertex<V::Subpixel, V::Depth, [u16; 0]>; 2] =
-                ends.map(|end| ScreenVertex::new(end.x, end.y, end.depth, []));
+            let ends = ends.map(|end| end.bare());
             let line = SmoothLine::between(ends.each_ref(), self.width);
             blending.shade(target, &line, &window, move |fragment| {
                 let (_, [coverage]) = fragment.varyings;

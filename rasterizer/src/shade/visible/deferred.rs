@@ -1,13 +1,13 @@
 //! Shading after all triangles are drawn.
 
-use embedded_graphics_core::{geometry::Point, primitives::Rectangle};
+use embedded_graphics_core::primitives::Rectangle;
 
 use super::VisiblePixel;
 use crate::{
     color::Alpha,
     geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
-    raster::{Fragment, Gradients},
+    raster::{Fragment, Gradients, Window},
     shade::{Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner},
 };
 
@@ -46,9 +46,7 @@ pub struct Deferred<'b, Sh> {
     shader: Sh,
     object: u8,
     pixels: &'b [VisiblePixel],
-    /// The place of the first pixel, and the pixels of a row.
-    first: Point,
-    width: i32,
+    window: Window,
 }
 
 impl<'b, Sh: Shader> Deferred<'b, Sh> {
@@ -56,20 +54,14 @@ impl<'b, Sh: Shader> Deferred<'b, Sh> {
     /// area, row by row. Pixels outside of it are not drawn.
     #[must_use]
     pub const fn new(shader: Sh, object: u8, pixels: &'b [VisiblePixel], area: Rectangle) -> Self {
-        let (first, width) = (area.top_left, area.size.width as i32);
-        Self { shader, object, pixels, first, width }
+        Self { shader, object, pixels, window: Window::or_none(&area) }
     }
 
     /// Whether a triangle is seen at a pixel.
     #[inline(always)]
     fn is_visible(&self, id: u32, column: i32, row: i32) -> bool {
-        let (x, y) = (column.wrapping_sub(self.first.x), row.wrapping_sub(self.first.y));
-        // A column beyond the area would be one of another row.
-        x.cast_unsigned() < self.width.cast_unsigned()
-            && self
-                .pixels
-                .get(y.wrapping_mul(self.width).wrapping_add(x).cast_unsigned() as usize)
-                .is_some_and(|pixel| pixel.id == id)
+        let index = self.window.index_of(column, row);
+        index.and_then(|index| self.pixels.get(index)).is_some_and(|pixel| pixel.id == id)
     }
 }
 
