@@ -15,8 +15,8 @@ pub use counter::Counter;
 pub use picture::Picture;
 pub use random::Random;
 pub use recorder::{BusError, Call, Recorder};
-pub use scene::{Placed, Scene, area, pixel_camera};
-pub use surface::{Surface, is_closed};
+pub use scene::{Placed, Scene, area, front_vertices, pixel_camera};
+pub use surface::{Surface, edges, is_closed};
 
 use std::{
     fs,

@@ -1,5 +1,7 @@
 //! A mesh in front of a camera, and the number of its layers over each pixel.
 
+use std::convert::Infallible;
+
 use embedded_graphics::{
     geometry::{Point, Size},
     pixelcolor::Rgb888,
@@ -13,8 +15,8 @@ use rasterizer::{
     mesh::Mesh,
     numbers::{Rotation, Subpixel, Vec3},
     output::Direct,
-    scene::{Modes, Object},
-    shade::Unlit,
+    scene::{Mode, Modes, Object, Projected, Vertices},
+    shade::{OnScreen, Shader, Unlit},
 };
 
 use crate::Counter;
@@ -129,6 +131,28 @@ impl<'a, P: Projection> Scene<'a, P> {
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         places.map(|(x, y)| picture.layers(x, y) as u32).collect()
     }
+}
+
+/// Whether each vertex of a mesh is a corner of a triangle that is drawn.
+///
+/// # Panics
+///
+/// Panics if `seen` is of a larger mesh.
+#[must_use]
+pub fn front_vertices<V, P, Sh, M>(seen: &Projected<'_, V, P, Sh, M>, mesh: &Mesh<'_>) -> Vec<bool>
+where
+    V: Vertices<OnScreen<Sh>>,
+    P: Projection,
+    Sh: Shader,
+    M: Mode,
+{
+    let mut is_front = vec![false; mesh.vertex_count()];
+    let Ok(()) = seen.for_each_triangle(|index, _| {
+        let corners = mesh.tables().triangles.get(index).expect("a triangle of the mesh");
+        corners.iter().for_each(|&corner| is_front[corner] = true);
+        Ok::<(), Infallible>(())
+    });
+    is_front
 }
 
 fn to_pixels<S: Subpixel>(position: [i32; 2]) -> [f64; 2] {

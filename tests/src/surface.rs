@@ -229,3 +229,21 @@ pub fn is_closed(mesh: &Mesh<'_>) -> bool {
     }
     balance.values().all(|&count| count == 0)
 }
+
+/// Each edge of a mesh's triangles once, by its vertices.
+///
+/// # Panics
+///
+/// Panics if the mesh has over 65,536 vertices.
+#[must_use]
+pub fn edges(mesh: &Mesh<'_>) -> Vec<[u16; 2]> {
+    let triangles = mesh.tables().triangles;
+    let corners = (0..).map_while(|index| triangles.get(index));
+    let mut edges: Vec<_> = corners
+        .map(|corners| corners.map(|corner| u16::try_from(corner).unwrap()))
+        .flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]))
+        .collect();
+    edges.sort_unstable();
+    edges.dedup();
+    edges
+}

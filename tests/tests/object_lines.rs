@@ -13,30 +13,19 @@ use rasterizer::{
     geometry::{CullNone, ScreenVertex},
     mesh::{Lines, Mesh, Segments, Tables},
     numbers::{S4, S8, Subpixel},
-    output::{Bands, Direct, Frame},
+    output::{Direct, Frame},
     raster::Bias,
     scene::{Object, bin_words},
     shade::{Gouraud, Unlit},
 };
 use rasterizer_tests::{
     Counter, Picture,
-    bands::{BACKGROUND, DISPLAY, MATERIALS, Position, ROWS, at, ball, light},
+    bands::{BACKGROUND, DISPLAY, MATERIALS, Position, ROWS, at, ball, light, picture},
+    edges, front_vertices,
 };
 
 fn camera(z: &str) -> Camera<Perspective> {
     at(z, DISPLAY)
-}
-
-/// Each edge of the mesh's triangles once.
-fn edges(mesh: &Mesh<'_>) -> Vec<[u16; 2]> {
-    let triangles = mesh.tables().triangles;
-    let corners = (0..triangles.len()).map(|i| triangles.get(i).unwrap().map(|c| c as u16));
-    let mut edges: Vec<_> = corners
-        .flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]))
-        .collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
 }
 
 /// How often each pixel of the display is drawn by lines.
@@ -206,22 +195,11 @@ fn bands_join_without_a_seam() {
         let mut storage = vec![ScreenVertex::<S4, u16, _>::EMPTY; mesh.vertex_count()];
         let seen = object.project(&camera(z), &mut storage).unwrap();
         for rows in [1, 7, 16] {
-            let pixels = (DISPLAY.size.width * rows) as usize;
-            let (mut color, mut depth) = (vec![BACKGROUND; pixels], vec![0u16; pixels]);
-            let mut bands = Bands::new(DISPLAY, &mut color[..], &mut depth).unwrap();
-            let mut screen = rasterizer_tests::bands::Screen::new(DISPLAY);
-            bands
-                .show(
-                    &mut screen,
-                    |band| band.clear_color(BACKGROUND),
-                    |band| {
-                        seen.draw_depth(band)?;
-                        seen.lines(&lines).wide(2).draw(band)
-                    },
-                )
-                .unwrap();
-            let shown: Vec<_> = screen.pixels.iter().map(|pixel| pixel.unwrap()).collect();
-            assert!(shown == whole.color, "{z} in bands of {rows} rows");
+            let bands = picture::<u16>(rows, |band| {
+                seen.draw_depth(band)?;
+                seen.lines(&lines).wide(2).draw(band)
+            });
+            assert!(bands.pixels.iter().flatten().eq(&whole.color), "{z} in bands of {rows} rows");
         }
     }
 }
@@ -261,12 +239,10 @@ fn hidden_lines_are_those_behind_the_surface() {
     let object = Object::new(&mesh, Gouraud::<Rgb888>::new(light())).biased(Bias::BEHIND_LINES);
     let mut storage = vec![ScreenVertex::<S8, u16, _>::EMPTY; mesh.vertex_count()];
     let seen = object.project(&camera, &mut storage).unwrap();
-    // The corners of triangles that face the camera.
-    let mut is_front = vec![false; mesh.vertex_count()];
+    let is_front = front_vertices(&seen, &mesh);
     let mut front = vec![];
     seen.for_each_triangle(|index, _| {
         let corners = mesh.tables().triangles.get(index).unwrap();
-        corners.iter().for_each(|corner| is_front[*corner] = true);
         let [a, b, c] = corners.map(|corner| corner as u16);
         front.extend([[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]));
         Ok::<(), std::convert::Infallible>(())

@@ -9,19 +9,17 @@ use embedded_graphics::{
     pixelcolor::{Rgb888, RgbColor as _},
     primitives::Rectangle,
 };
-use fixed::types::U16F16;
 use host_tools::model::{Model, Options};
 use rasterizer::{
     attribute::NoDepth,
     camera::{Camera, Distance, Perspective},
     color::Alpha,
     geometry::{CullNone, Pose, ScreenVertex},
-    mesh::{Mesh, MeshFace, MeshMaterial, MeshVertex, Tables},
+    mesh::{Mesh, Tables},
     numbers::{Rotation, S4, S8, Scalar, Scale, Subpixel, Turn, Vec3},
-    output::{Direct, Frame, Over, PixelFill, StoredColor},
-    raster::{Fragment, Gradients},
+    output::{Direct, Frame, Over},
     scene::{Object, Painter, ProjectError},
-    shade::{Face, Gouraud, Shader, Unlit},
+    shade::{Gouraud, Unlit, Visibility, VisiblePixel},
 };
 use rasterizer_tests::{
     Surface,
@@ -179,40 +177,6 @@ fn too_little_storage_is_an_error_before_the_first_pixel() {
     assert!(whole.drawn(BACKGROUND).is_empty() && BACKGROUND != Rgb888::BLACK);
 }
 
-/// The number of a triangle, from 1; 0 for none.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Number(u32);
-
-impl StoredColor for Number {
-    type Fill = PixelFill<Self>;
-}
-
-/// Each triangle in the colour of its number.
-#[derive(Clone, Copy)]
-struct Numbered;
-
-impl Shader for Numbered {
-    type Color = Number;
-    type Varyings = [u16; 0];
-    type Surface = ();
-    type Face = ();
-    type Outcome = Number;
-
-    fn surface(&self, _: &MeshMaterial<'_>) {}
-
-    fn vertex(&self, _: &MeshVertex<'_>) -> [u16; 0] {
-        []
-    }
-
-    fn face(&self, (): &(), face: &MeshFace<'_>, _: &Gradients<'_, [u16; 0]>) -> Face<Number, ()> {
-        Face::Solid(Number(face.index() as u32 + 1))
-    }
-
-    fn pixel(&self, (): &(), (): &(), _: Fragment<[U16F16; 0]>) -> Number {
-        Number(0)
-    }
-}
-
 /// The largest number of pixels of 320 x 240 in which the painter shows another triangle than a
 /// depth buffer of 32 bits, in 100 views from all sides (Fibonacci's sphere), of a mesh that fills
 /// most of the picture's height.
@@ -239,7 +203,8 @@ fn worst_of_100_views(mesh: &Mesh<'_>) -> usize {
         let [x, y, z] = v.map(Scalar::from_num);
         Vec3::new(x, y, z)
     };
-    let object = Object::new(mesh, Numbered).posed(Pose::IDENTITY.at(vector(middle.map(|c| -c))));
+    let object = Object::new(mesh, Visibility::of_object(0))
+        .posed(Pose::IDENTITY.at(vector(middle.map(|c| -c))));
     let mut storage = vec![0; mesh.triangle_count()];
     let pixels = (SIDES[0] * SIDES[1]) as usize;
     (0..100)
@@ -251,18 +216,21 @@ fn worst_of_100_views(mesh: &Mesh<'_>) -> usize {
             let up = if z.abs() > 0.99 { Vec3::X } else { Vec3::Y };
             let eye = vector(back.map(|c| c * distance));
             let camera = Camera::look_at(eye, Vec3::ZERO, up, lens, display).unwrap();
-            let mut tested = vec![Number(0); pixels];
+            let mut tested = vec![VisiblePixel::NONE; pixels];
             let mut depth = vec![0u32; pixels];
             let by_depth = object.project_on_demand::<_, S4, u32>(&camera, S4).unwrap();
             by_depth.draw(&mut Frame::new(&mut tested, &mut depth, display).unwrap()).unwrap();
-            let mut painted = vec![Number(0); pixels];
+            let mut painted = vec![VisiblePixel::NONE; pixels];
             let sorted = object.project_on_demand::<_, S4, NoDepth>(&camera, S4).unwrap();
             let painter = Painter::new((&sorted,), &mut storage).unwrap();
             painter.draw(&mut Frame::without_depth(&mut painted, display).unwrap()).unwrap();
-            let drawn = tested.iter().filter(|&&number| number != Number(0)).count();
+            let drawn = tested.iter().filter(|pixel| pixel.object().is_some()).count();
             // A flat one is seen from its edge too.
             assert!(drawn > 1_000, "{drawn} pixels in view {view}");
-            tested.iter().zip(&painted).filter(|(a, b)| a != b).count()
+            let is_other = |(a, b): &(&VisiblePixel, &VisiblePixel)| {
+                (a.object(), a.triangle()) != (b.object(), b.triangle())
+            };
+            tested.iter().zip(&painted).filter(is_other).count()
         })
         .max()
         .unwrap()

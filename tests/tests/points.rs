@@ -11,14 +11,15 @@ use rasterizer::{
     geometry::ScreenVertex,
     mesh::{Mesh, PointIndices, Points, Tables, Triangles},
     numbers::{S4, S8, Subpixel},
-    output::{Bands, Direct, Frame, Target as _},
+    output::{Direct, Frame, Target as _},
     raster::{Bias, Point, Window},
     scene::Object,
     shade::Unlit,
 };
 use rasterizer_tests::{
     Counter, Picture, Random, area,
-    bands::{BACKGROUND, DISPLAY, Position, at, ball},
+    bands::{BACKGROUND, DISPLAY, Position, ROWS, at, ball, picture},
+    front_vertices,
 };
 
 /// A window beyond which points reach on all sides.
@@ -184,29 +185,15 @@ fn bands_join_without_a_seam() {
         let mut storage = vec![ScreenVertex::<S4, u16, _>::EMPTY; mesh.vertex_count()];
         let seen = object.project(&at(z, DISPLAY), &mut storage).unwrap();
         let nearer = "0.01".parse().unwrap();
-        let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
-        let mut frame = Frame::new(&mut picture.color, &mut picture.depth, DISPLAY).unwrap();
-        seen.draw_depth(&mut frame).unwrap();
-        seen.points(&points).sized(3).nearer(nearer).draw(&mut frame).unwrap();
-        let drawn = picture.color.iter().filter(|color| **color != BACKGROUND).count();
+        let draw = |band: &mut Frame<'_, _, &mut [u16]>| {
+            seen.draw_depth(band)?;
+            seen.points(&points).sized(3).nearer(nearer).draw(band)
+        };
+        let whole = picture::<u16>(ROWS, draw);
+        let drawn = whole.drawn(BACKGROUND).len();
         assert!(drawn > 100, "{z}: {drawn}");
         for rows in [1, 7, 16] {
-            let pixels = (DISPLAY.size.width * rows) as usize;
-            let (mut color, mut depth) = (vec![BACKGROUND; pixels], vec![0u16; pixels]);
-            let mut bands = Bands::new(DISPLAY, &mut color[..], &mut depth).unwrap();
-            let mut screen = rasterizer_tests::bands::Screen::new(DISPLAY);
-            bands
-                .show(
-                    &mut screen,
-                    |band| band.clear_color(BACKGROUND),
-                    |band| {
-                        seen.draw_depth(band)?;
-                        seen.points(&points).sized(3).nearer(nearer).draw(band)
-                    },
-                )
-                .unwrap();
-            let shown: Vec<_> = screen.pixels.iter().map(|pixel| pixel.unwrap()).collect();
-            assert!(shown == picture.color, "{z} in bands of {rows} rows");
+            assert!(whole == picture::<u16>(rows, draw), "{z} in bands of {rows} rows");
         }
     }
 }
@@ -220,13 +207,7 @@ fn points_are_tested_against_depth() {
     let object = Object::new(&mesh, Unlit::<Rgb888>::new()).biased(Bias::BEHIND_LINES);
     let mut storage = vec![ScreenVertex::<S8, u32, _>::EMPTY; mesh.vertex_count()];
     let seen = object.project(&camera, &mut storage).unwrap();
-    let mut is_front = vec![false; mesh.vertex_count()];
-    seen.for_each_triangle(|index, _| {
-        let corners = mesh.tables().triangles.get(index).unwrap();
-        corners.iter().for_each(|corner| is_front[*corner] = true);
-        Ok::<(), std::convert::Infallible>(())
-    })
-    .unwrap();
+    let is_front = front_vertices(&seen, &mesh);
     let (mut before, mut behind) = (0, 0);
     for vertex in every_vertex(&mesh) {
         let one = [vertex];

@@ -11,16 +11,17 @@ use rasterizer::{
     attribute::NoDepth,
     color::Alpha,
     geometry::ScreenVertex,
-    mesh::{Lines, Mesh, Segments},
+    mesh::{Lines, Segments},
     numbers::{S4, S8, Subpixel},
-    output::{Add, Bands, Frame, KeepDepth, Over, Readable as _, Replace, Target as _},
+    output::{Add, Frame, KeepDepth, Over, Readable as _, Replace, Target as _},
     raster::{Bias, SmoothLine, Window},
     scene::Object,
     shade::Unlit,
 };
 use rasterizer_tests::{
     Picture, Random, area,
-    bands::{BACKGROUND, DISPLAY, Position, at, ball},
+    bands::{BACKGROUND, DISPLAY, Position, ROWS, at, ball, picture},
+    edges, front_vertices,
 };
 
 /// A window beyond which lines reach on all sides.
@@ -171,18 +172,6 @@ fn values_are_linear_along_the_longer_axis() {
     lines::<S8>(4);
 }
 
-/// Each edge of the mesh's triangles once.
-fn edges(mesh: &Mesh<'_>) -> Vec<[u16; 2]> {
-    let triangles = mesh.tables().triangles;
-    let corners = (0..triangles.len()).map(|i| triangles.get(i).unwrap().map(|c| c as u16));
-    let mut edges: Vec<_> = corners
-        .flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]))
-        .collect();
-    edges.sort_unstable();
-    edges.dedup();
-    edges
-}
-
 /// One line of an object in each mode: the colour is blended by the coverage, as the mode's
 /// definition tells, and the stored depth stays.
 #[test]
@@ -257,29 +246,15 @@ fn bands_join_without_a_seam() {
         let mut storage = vec![ScreenVertex::<S4, u16, _>::EMPTY; mesh.vertex_count()];
         let seen = object.project(&at(z, DISPLAY), &mut storage).unwrap();
         let width = U8F8::lit("1.25");
-        let mut picture = Picture::<_, u16>::empty(DISPLAY, BACKGROUND);
-        let mut frame = Frame::new(&mut picture.color, &mut picture.depth, DISPLAY).unwrap();
-        seen.draw_depth(&mut frame).unwrap();
-        seen.lines(&lines).smooth(width).draw(&mut frame).unwrap();
-        let drawn = picture.color.iter().filter(|color| **color != BACKGROUND).count();
+        let draw = |band: &mut Frame<'_, _, &mut [u16]>| {
+            seen.draw_depth(band)?;
+            seen.lines(&lines).smooth(width).draw(band)
+        };
+        let whole = picture::<u16>(ROWS, draw);
+        let drawn = whole.drawn(BACKGROUND).len();
         assert!(drawn > 100, "{z}: {drawn}");
         for rows in [1, 7, 16] {
-            let pixels = (DISPLAY.size.width * rows) as usize;
-            let (mut color, mut depth) = (vec![BACKGROUND; pixels], vec![0u16; pixels]);
-            let mut bands = Bands::new(DISPLAY, &mut color[..], &mut depth).unwrap();
-            let mut screen = rasterizer_tests::bands::Screen::new(DISPLAY);
-            bands
-                .show(
-                    &mut screen,
-                    |band| band.clear_color(BACKGROUND),
-                    |band| {
-                        seen.draw_depth(band)?;
-                        seen.lines(&lines).smooth(width).draw(band)
-                    },
-                )
-                .unwrap();
-            let shown: Vec<_> = screen.pixels.iter().map(|pixel| pixel.unwrap()).collect();
-            assert!(shown == picture.color, "{z} in bands of {rows} rows");
+            assert!(whole == picture::<u16>(rows, draw), "{z} in bands of {rows} rows");
         }
     }
 }
@@ -292,13 +267,7 @@ fn hidden_lines_leave_the_surface() {
     let object = Object::new(&mesh, Unlit::<Rgb888>::new());
     let mut storage = vec![ScreenVertex::<S8, u32, _>::EMPTY; mesh.vertex_count()];
     let seen = object.project(&at("3", DISPLAY), &mut storage).unwrap();
-    let mut is_front = vec![false; mesh.vertex_count()];
-    seen.for_each_triangle(|index, _| {
-        let corners = mesh.tables().triangles.get(index).unwrap();
-        corners.iter().for_each(|corner| is_front[*corner] = true);
-        Ok::<(), std::convert::Infallible>(())
-    })
-    .unwrap();
+    let is_front = front_vertices(&seen, &mesh);
     let is_hidden = |edge: &[u16; 2]| !edge.iter().any(|end| is_front[usize::from(*end)]);
     let hidden: Vec<_> = edges(&mesh).into_iter().filter(is_hidden).collect();
     assert!(hidden.len() > 100, "{}", hidden.len());
