@@ -14,8 +14,7 @@ use rasterizer::{
     geometry::ScreenVertex,
     numbers::Subpixel,
     output::{
-        BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be,
-        Scissored, Target,
+        BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target,
     },
     scene::{Mode, Object, Order, Painter, Projected, Vertices},
     shade::{OnScreen, Shader},
@@ -284,7 +283,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         }
     }
 
-    /// Adds a whole frame of an object, of which `draw` draws lines or points.
+    /// Adds a whole frame of an object that `draw` draws: its lines or points, or a part of it.
     pub fn add_drawn<S: Subpixel, D: Depth, Sh, M: Mode, const PIXELS: usize>(
         &mut self,
         object: &Object<'_, Sh, M>,
@@ -324,28 +323,6 @@ impl<const SET_UP: bool> Cost<SET_UP> {
             return;
         }
         self.draw_frame::<NoDepth, PIXELS>(camera.viewport(), memory, |frame| painter.draw(frame));
-    }
-
-    /// Adds a whole frame of which a rectangle is drawn.
-    pub fn add_scissored<
-        S: Subpixel,
-        D: Depth,
-        Sh: Shader<Color = Rgb565Be>,
-        const PIXELS: usize,
-    >(
-        &mut self,
-        object: &Object<'_, Sh>,
-        camera: &Camera,
-        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
-        rectangle: &Rectangle,
-        memory: &mut Memory<PIXELS>,
-    ) {
-        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
-        let seen = seen.unwrap_or_else(fail);
-        self.count(&seen);
-        self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| {
-            seen.draw(&mut Scissored::new(frame, rectangle))
-        });
     }
 
     /// Sorts the triangles into `bins`, if there are any, and draws the bands.

@@ -1,11 +1,11 @@
-//! The bench scenes of light, colour, blending and fog.
+//! The bench scenes of light, colour, blending, fog, lines and points, and of a scissor.
 
 mod blend;
 mod color;
 mod fog;
 mod light;
 mod lines;
-mod seen;
+mod scissor;
 
 pub(crate) use light::LAMP;
 use rasterizer::{
@@ -37,7 +37,7 @@ pub fn main<const SET_UP: bool>() {
         scenes.colors();
         scenes.fog();
         scenes.lines();
-        scenes.seen();
+        scenes.scissor();
     });
 }
 

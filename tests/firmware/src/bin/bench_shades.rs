@@ -1,5 +1,5 @@
-//! Prints the cost of the frames of the bench scenes of light, colour, blending and fog. It is 0 on
-//! the host, where nothing counts instructions.
+//! Prints the cost of the frames of the bench scenes of light, colour, blending, fog, lines and
+//! points, and of a scissor. It is 0 on the host, where nothing counts instructions.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 

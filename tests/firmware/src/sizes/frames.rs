@@ -2,7 +2,7 @@
 //!
 //! All use of the rasterizer's targets is here: the scenes need no change when a target does.
 
-use core::hint::black_box;
+use core::{convert::Infallible, hint::black_box};
 
 use embedded_graphics_core::{
     geometry::{Point, Size},
@@ -12,12 +12,11 @@ use embedded_graphics_core::{
 use rasterizer::{
     attribute::{DepthFormat, Interpolate, NoDepth, Varyings},
     camera::Camera,
-    fixed::types::U8F8,
     geometry::{Pose, Projection, ScreenVertex},
     mesh::Lines,
     numbers::{Rotation, Subpixel, Turn, Vec3},
     output::{self, Blending, Direct, Frame, FrameDepth, Replace, StoredDepth},
-    scene::{Mode, Object},
+    scene::{Mode, Object, ProjectedLines},
     shade::Shader,
 };
 
@@ -121,7 +120,7 @@ where
         bands.show(display, |band| band.clear_color(Rgb565::BLACK), |band| seen.draw(band)).ok()
     }
 
-    /// Draws the lines that the object does not hide, in white.
+    /// Draws the lines that the object does not hide. `fill` draws them all.
     pub(super) fn draw_lines<
         P: Projection,
         Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
@@ -132,6 +131,10 @@ where
         object: &Object<'_, Sh, M>,
         camera: &Camera<P>,
         display: &mut Display,
+        fill: impl Fn(
+            ProjectedLines<'_, '_, &[ScreenVertex<S, D, V>], P, Sh, M>,
+            &mut Frame<'_, Rgb565, D::Buffer<'_>>,
+        ) -> Result<(), Infallible>,
     ) -> Option<()> {
         let seen = object.project(camera, &mut self.vertices);
         let Ok(seen) = &seen else { return None };
@@ -142,34 +145,7 @@ where
                 |band| band.clear_color(Rgb565::BLACK),
                 |band| {
                     seen.draw_depth(band)?;
-                    seen.lines(lines).fill(Rgb565::WHITE, band)
-                },
-            )
-            .ok()
-    }
-
-    /// The same antialiased, one pixel wide.
-    pub(super) fn draw_smooth_lines<
-        P: Projection,
-        Sh: Shader<Color = Rgb565, Varyings: Varyings<OnScreen = V>>,
-        M: Mode<Blending = Replace>,
-    >(
-        &mut self,
-        lines: &Lines<'_>,
-        object: &Object<'_, Sh, M>,
-        camera: &Camera<P>,
-        display: &mut Display,
-    ) -> Option<()> {
-        let seen = object.project(camera, &mut self.vertices);
-        let Ok(seen) = &seen else { return None };
-        let mut bands = output::Bands::new(Self::PICTURE, &mut self.color, &mut self.depth).ok()?;
-        bands
-            .show(
-                display,
-                |band| band.clear_color(Rgb565::BLACK),
-                |band| {
-                    seen.draw_depth(band)?;
-                    seen.lines(lines).smooth(U8F8::ONE).fill(Rgb565::WHITE, band)
+                    fill(seen.lines(lines), band)
                 },
             )
             .ok()

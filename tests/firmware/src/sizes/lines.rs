@@ -2,8 +2,8 @@
 
 use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor};
 use rasterizer::{
-    attribute::NoDepth, geometry::ScreenVertex, numbers::S4, output::Direct, raster::Bias,
-    scene::Object, shade::Unlit,
+    attribute::NoDepth, fixed::types::U8F8, geometry::ScreenVertex, numbers::S4, output::Direct,
+    raster::Bias, scene::Object, shade::Unlit,
 };
 
 use super::{
@@ -47,7 +47,10 @@ impl Scene for LinesHidden {
         for_each_view(|view| {
             let ball =
                 Object::new(&BALL, Unlit::new()).posed(view.pose()).biased(Bias::BEHIND_LINES);
-            memory.draw_lines(&BALL_EDGES, &ball, &camera(view, PERSPECTIVE, PICTURE)?, display)
+            let camera = camera(view, PERSPECTIVE, PICTURE)?;
+            memory.draw_lines(&BALL_EDGES, &ball, &camera, display, |lines, band| {
+                lines.fill(Rgb565::WHITE, band)
+            })
         })
     }
 }
@@ -66,7 +69,9 @@ impl Scene for LinesSmooth {
             let ball =
                 Object::new(&BALL, Unlit::new()).posed(view.pose()).biased(Bias::BEHIND_LINES);
             let camera = camera(view, PERSPECTIVE, PICTURE)?;
-            memory.draw_smooth_lines(&BALL_EDGES, &ball, &camera, display)
+            memory.draw_lines(&BALL_EDGES, &ball, &camera, display, |lines, band| {
+                lines.smooth(U8F8::ONE).fill(Rgb565::WHITE, band)
+            })
         })
     }
 }
