@@ -4,6 +4,9 @@
 pub mod shades;
 pub mod textures;
 
+use core::cell::RefCell;
+
+use critical_section::Mutex;
 use embedded_graphics_core::{
     geometry::{Point, Size},
     primitives::Rectangle,
@@ -36,7 +39,7 @@ const VERTICES: usize = if cfg!(models) { 3000 } else { 300 };
 /// Triangles of the largest model.
 const TRIANGLES: usize = if cfg!(models) { 6000 } else { 600 };
 /// Words for the largest model's triangles in bins, or for their order.
-const WORDS: usize = {
+const WORD_COUNT: usize = {
     let bins = bin_words(TRIANGLES, SIZE.height, BAND_ROWS);
     if bins > TRIANGLES { bins } else { TRIANGLES }
 };
@@ -74,26 +77,28 @@ static MEMORY: Shared<PIXELS> = Memory::shared();
 const BAND_PIXELS: usize = (SIZE.width * BAND_ROWS) as usize;
 static BAND: Shared<BAND_PIXELS> = Memory::shared();
 
+/// The triangles in bins, or in order: with the models 24 KB, which is much for a stack.
+static WORDS: Mutex<RefCell<[u32; WORD_COUNT]>> = Mutex::new(RefCell::new([0; WORD_COUNT]));
+
 /// The program: starts the counter, says how it was compiled, and measures.
 pub fn main<const SET_UP: bool>() {
     counter::start();
     console::build();
-    critical_section::with(|token| run::<SET_UP, _>(&mut MEMORY.borrow_ref_mut(token)));
+    Bench::within(&MEMORY, run::<SET_UP, _>);
 }
 
 /// The program for boards: measures what fits in the memory of one band.
 pub fn board() {
     counter::start();
     console::build();
-    critical_section::with(|token| run::<false, _>(&mut BAND.borrow_ref_mut(token)));
+    Bench::within(&BAND, run::<false, _>);
 }
 
 /// Measures all scenes, or their set-up alone, and prints a line for each.
-fn run<const SET_UP: bool, const PIXELS: usize>(memory: &mut Memory<PIXELS>) {
+fn run<const SET_UP: bool, const PIXELS: usize>(mut bench: Bench<'_, SET_UP, PIXELS, VERTICES>) {
     let light = sun();
     let (gouraud, flat) = (Gouraud::new(light), Flat::new(light));
     let (close, far) = (view("400", "2.4"), view("160", "3"));
-    let mut bench = Bench::<SET_UP, PIXELS, VERTICES>(memory);
     #[cfg(models)]
     bench.scene::<u16, _>("spot-gouraud", &models::SPOT, gouraud, &close);
     #[cfg(models)]
@@ -136,8 +141,7 @@ pub(crate) fn pose(frame: u32) -> Pose {
 pub fn frugal<const SET_UP: bool>() {
     counter::start();
     console::build();
-    critical_section::with(|token| {
-        let mut bench = Bench::<SET_UP, PIXELS, VERTICES>(&mut MEMORY.borrow_ref_mut(token));
+    Bench::within(&MEMORY, |mut bench: Bench<'_, SET_UP, PIXELS, VERTICES>| {
         #[cfg(models)]
         bench.frugal_bands("spot-gouraud", &models::SPOT, Gouraud::new(sun()), &view("400", "2.4"));
         bench.frugal_bands("sphere-flat", &models::SPHERE, Flat::new(sun()), &view("160", "3"));
@@ -145,13 +149,23 @@ pub fn frugal<const SET_UP: bool>() {
 }
 
 /// Measures in the memory of a frame or a band, with storage for `VERTICES` vertices on the stack.
-struct Bench<'a, const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>(
-    &'a mut Memory<PIXELS>,
-);
+struct Bench<'a, const SET_UP: bool, const PIXELS: usize, const VERTICES: usize> {
+    memory: &'a mut Memory<PIXELS>,
+    words: &'a mut [u32],
+}
 
 impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
     Bench<'_, SET_UP, PIXELS, VERTICES>
 {
+    /// Lends the memory to a `program`.
+    fn within(memory: &Shared<PIXELS>, program: impl FnOnce(Bench<'_, SET_UP, PIXELS, VERTICES>)) {
+        critical_section::with(|token| {
+            let memory = &mut memory.borrow_ref_mut(token);
+            let words = &mut *WORDS.borrow_ref_mut(token);
+            program(Bench { memory, words });
+        });
+    }
+
     /// A scene with depth `D`, in the modes that memory is enough for, and in both precisions.
     fn scene<D: Depth, Sh: Shader<Color = Rgb565Be>>(
         &mut self,
@@ -256,11 +270,10 @@ impl<const SET_UP: bool, const PIXELS: usize, const VERTICES: usize>
         ),
     ) {
         let mut vertices = [ScreenVertex::<S, D, OnScreen<Sh>>::EMPTY; VERTICES];
-        let mut words = [0; WORDS];
         let mut cost = Cost::<SET_UP>::default();
         for frame in 0..FRAMES {
             let object = object.clone().posed(pose(frame));
-            add(&mut cost, &object, &mut vertices, &mut words, self.0);
+            add(&mut cost, &object, &mut vertices, self.words, self.memory);
         }
         counter::report();
         console::line(format_args!(

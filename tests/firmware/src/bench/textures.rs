@@ -32,9 +32,8 @@ static SHADED_SIDES: [ShadedSides; 1] =
 pub fn main<const SET_UP: bool>() {
     counter::start();
     console::build();
-    critical_section::with(|token| {
-        let memory = &mut MEMORY.borrow_ref_mut(token);
-        let mut scenes = Scenes::<SET_UP> { bench: Bench(memory), camera: view("400", "2.4") };
+    Bench::within(&MEMORY, |bench| {
+        let mut scenes = Scenes::<SET_UP> { bench, camera: view("400", "2.4") };
         scenes.cube_in_perspective();
         scenes.cube();
         #[cfg(models)]
