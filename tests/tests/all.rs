@@ -11,6 +11,7 @@ mod any_shader;
 mod arithmetic;
 mod back_to_front;
 mod bands;
+mod billboards;
 mod clip_planes;
 mod clipping;
 #[cfg(not(rasterizer_narrow))]
@@ -40,6 +41,7 @@ mod scissor;
 mod seam;
 #[cfg(not(rasterizer_narrow))]
 mod sending;
+mod shadows;
 mod smooth_lines;
 mod supersampling;
 mod targets;
