@@ -10,9 +10,11 @@ use rasterizer::{
     geometry::{CullNone, Pose, ScreenVertex},
     mesh::{Material, Mesh, Positions, Tables, Triangles},
     numbers::{Rotation, S4, S8, Scale, Subpixel, Vec3},
-    output::Frame,
+    output::{Frame, StoredColor},
     scene::Object,
-    shade::{Deferred, Gouraud, Level, Light, OnScreen, Phong, Shader, Visibility, VisiblePixel},
+    shade::{
+        Deferred, Gouraud, Level, Light, OnScreen, Phong, Shader, Visibility, Visible, VisiblePixel,
+    },
 };
 use rasterizer_tests::{
     Random, area,
@@ -200,6 +202,46 @@ fn bands(rows: u32) -> impl Iterator<Item = Rectangle> {
     })
 }
 
+/// A band of the visibility buffer of all balls.
+fn buffer<S: Subpixel, V: Shader<Color: StoredColor + Default>>(
+    mesh: &Mesh<'_>,
+    camera: &Camera,
+    band: Rectangle,
+    shader: impl Fn(u8) -> V,
+) -> Vec<V::Color> {
+    let pixels = (band.size.width * band.size.height) as usize;
+    let mut buffer = vec![V::Color::default(); pixels];
+    let mut depth = vec![0u16; pixels];
+    let mut frame = Frame::new(&mut buffer, &mut depth, band).unwrap();
+    for (pose, number) in POSES {
+        let object = Object::new(mesh, shader(number)).posed(pose).culled(CullNone);
+        if let Ok(object) = object.project_on_demand::<_, S, u16>(camera, S::default()) {
+            let Ok::<(), Infallible>(()) = object.draw(&mut frame);
+        }
+    }
+    buffer
+}
+
+/// A band of which each pixel that is visible is shaded.
+fn shaded<S: Subpixel, Sh: Shader<Color = Rgb888> + Copy, P: Visible>(
+    mesh: &Mesh<'_>,
+    camera: &Camera,
+    band: Rectangle,
+    shader: Sh,
+    buffer: &[P],
+) -> Vec<Rgb888> {
+    let mut colors = vec![BACKGROUND; buffer.len()];
+    let mut frame = Frame::without_depth(&mut colors, band).unwrap();
+    for (pose, number) in POSES {
+        let shader = Deferred::new(shader, number, buffer, band);
+        let object = Object::new(mesh, shader).posed(pose).culled(CullNone);
+        if let Ok(object) = object.project_on_demand::<_, S, NoDepth>(camera, S::default()) {
+            let Ok::<(), Infallible>(()) = object.draw(&mut frame);
+        }
+    }
+    colors
+}
+
 fn deferred_is_direct<S: Subpixel, Sh: Shader<Color = Rgb888> + Copy>(shader: Sh) {
     let ball = ball();
     let mesh = ball.mesh();
@@ -219,28 +261,15 @@ fn deferred_is_direct<S: Subpixel, Sh: Shader<Color = Rgb888> + Copy>(shader: Sh
         for rows in [DISPLAY.size.height, 16, 1] {
             let mut picture = Vec::new();
             for band in bands(rows) {
-                let pixels = (band.size.width * band.size.height) as usize;
-                let mut buffer = vec![VisiblePixel::NONE; pixels];
-                let mut depth = vec![0u16; pixels];
-                let mut seen = Frame::new(&mut buffer, &mut depth, band).unwrap();
-                for (pose, number) in POSES {
-                    let shader = Visibility::of_object(number);
-                    let object = Object::new(&mesh, shader).posed(pose).culled(CullNone);
-                    let object = object.project_on_demand::<_, S, u16>(&camera, S::default());
-                    if let Ok(object) = object {
-                        let Ok::<(), Infallible>(()) = object.draw(&mut seen);
-                    }
+                let pixels = buffer::<S, _>(&mesh, &camera, band, Visibility::of_object);
+                let seen = |number| Visibility::of_object(number).without_weights();
+                let triangles = buffer::<S, _>(&mesh, &camera, band, seen);
+                for (pixel, seen) in pixels.iter().zip(&triangles) {
+                    assert_eq!(pixel.object(), seen.object());
+                    assert_eq!(pixel.triangle(), seen.triangle());
                 }
-                let mut colors = vec![BACKGROUND; pixels];
-                let mut frame = Frame::without_depth(&mut colors, band).unwrap();
-                for (pose, number) in POSES {
-                    let shader = Deferred::new(shader, number, &buffer, band);
-                    let object = Object::new(&mesh, shader).posed(pose).culled(CullNone);
-                    let object = object.project_on_demand::<_, S, NoDepth>(&camera, S::default());
-                    if let Ok(object) = object {
-                        let Ok::<(), Infallible>(()) = object.draw(&mut frame);
-                    }
-                }
+                let colors = shaded::<S, _, _>(&mesh, &camera, band, shader, &pixels);
+                assert!(colors == shaded::<S, _, _>(&mesh, &camera, band, shader, &triangles));
                 picture.extend(colors);
             }
             assert!(picture == direct, "{rows} rows from {eye}");

@@ -1,8 +1,8 @@
 //! The mean of several colours.
 
 use embedded_graphics_core::pixelcolor::{
-    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor as _, Rgb555,
-    Rgb565, Rgb666, Rgb888, RgbColor as _,
+    Bgr555, Bgr565, Bgr666, Bgr888, BinaryColor, Gray2, Gray4, Gray8, GrayColor as _,
+    IntoStorage as _, Rgb555, Rgb565, Rgb666, Rgb888, RgbColor as _, raw::RawU16,
 };
 
 use super::Rgb332;
@@ -32,6 +32,38 @@ const fn divided(sum: u32, bits: u32) -> u8 {
     ((sum + ((1 << bits) >> 1)) >> bits) as u8
 }
 
+/// Where the channels of 16 bits are, with a copy of them 16 bits higher, for sums of nine and ten
+/// bits: the outer two from bits 0 and 11 on, the middle one from bit 21 on.
+const SPREAD: u32 = 0x07E0_F81F;
+/// The least significant bits of the three.
+const ONES: u32 = 1 << 21 | 1 << 11 | 1;
+
+/// Colours of five, six and five bits: their sums are three in a word, in the places that the
+/// channels have.
+macro_rules! spread {
+    ($($color:ident),*) => {
+        $(impl Mean for $color {
+            type Sum = u32;
+
+            const NOTHING: u32 = 0;
+
+            #[inline(always)]
+            fn added_to(self, sum: u32) -> u32 {
+                let bits = u32::from(self.into_storage());
+                sum + ((bits | bits << 16) & SPREAD)
+            }
+
+            #[inline(always)]
+            fn of_sum(sum: u32, bits: u32) -> Self {
+                let mean = ((sum + ONES * ((1 << bits) >> 1)) >> bits) & SPREAD;
+                Self::from(RawU16::new((mean | mean >> 16) as u16))
+            }
+        })*
+    };
+}
+
+spread!(Rgb565, Bgr565);
+
 /// Channels of up to six bits, of which 16 fit ten bits: three sums in a word.
 macro_rules! in_a_word {
     ($($color:ident),*) => {
@@ -54,7 +86,7 @@ macro_rules! in_a_word {
     };
 }
 
-in_a_word!(Rgb332, Rgb555, Rgb565, Rgb666, Bgr555, Bgr565, Bgr666);
+in_a_word!(Rgb332, Rgb555, Rgb666, Bgr555, Bgr666);
 
 macro_rules! by_channels {
     ($($color:ident),*) => {

@@ -1,5 +1,7 @@
 //! Frames that are drawn in several samples a pixel, and sent with their mean.
 
+use core::array;
+
 use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Point, Size},
@@ -76,11 +78,14 @@ impl<C: Mean, const N: usize> Resolved<'_, C, N> {
         let Self { samples, stride, area } = *self;
         let width = area.size.width as usize;
         samples.chunks(stride * N).flat_map(move |rows| {
+            let mut rows = rows.chunks(stride);
+            let rows: [&[[C; N]]; N] =
+                array::from_fn(|_| rows.next().unwrap_or_default().as_chunks().0);
             (0..width).map(move |column| {
                 let mut sum = C::NOTHING;
-                for row in rows.chunks(stride) {
-                    let side = row.get(column * N..column * N + N).unwrap_or_default();
-                    for sample in side {
+                for row in rows {
+                    let Some(samples) = row.get(column) else { continue };
+                    for sample in samples {
                         sum = sample.added_to(sum);
                     }
                 }

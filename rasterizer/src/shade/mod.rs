@@ -44,7 +44,9 @@ pub use recolored::Recolored;
 pub use textured::{
     Covered, Matcap, Slot, Textured, TexturedFlat, TexturedGouraud, VertexCoordinates,
 };
-pub use visible::{Deferred, DeferredPixel, Visibility, VisiblePixel};
+pub use visible::{
+    Deferred, DeferredPixel, NoWeights, Visibility, Visible, VisiblePixel, VisibleTriangle,
+};
 
 pub use crate::texture::{Layer, Outcome};
 use crate::{

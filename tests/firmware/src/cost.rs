@@ -303,6 +303,39 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| draw(&seen, frame));
     }
 
+    /// Adds a frame that `draw` draws and sends to a display. It returns how many pixels are drawn.
+    pub fn add_sent<S: Subpixel, D: Depth, Sh: Shader>(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+        draw: impl FnOnce(&Projected<'_, &[ScreenVertex<S, D, OnScreen<Sh>>], Perspective, Sh>) -> u64,
+    ) {
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        self.pixels_drawn += timed(Stage::Draw, &mut self.draw, || draw(&seen));
+    }
+
+    /// Adds a whole frame of steps with storage for the vertices of the object or of another one,
+    /// which are projected while it is drawn.
+    pub fn add_steps<S: Subpixel, D: Depth, Sh, const PIXELS: usize>(
+        &mut self,
+        object: &Object<'_, Sh>,
+        camera: &Camera,
+        vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+        memory: &mut Memory<PIXELS>,
+        draw: impl FnOnce(
+            &mut [ScreenVertex<S, D, OnScreen<Sh>>],
+            &mut Frame<'_, Rgb565Be, D::Buffer<'_>>,
+        ) -> Result<(), Infallible>,
+    ) where
+        Sh: Shader<Color = Rgb565Be>,
+    {
+        self.count(&object.project(camera, vertices).unwrap_or_else(fail));
+        self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| draw(vertices, frame));
+    }
+
     /// Adds a whole frame from back to front by the painter's algorithm.
     pub fn add_painted<S: Subpixel, Sh: Shader<Color = Rgb565Be>, const PIXELS: usize>(
         &mut self,

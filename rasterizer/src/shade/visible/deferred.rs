@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::primitives::Rectangle;
 
-use super::VisiblePixel;
+use super::{Visible, VisiblePixel, VisibleTriangle};
 use crate::{
     color::Alpha,
     geometry::ObjectView,
@@ -16,24 +16,24 @@ use crate::{
 /// of the shader with a depth buffer, pixel for pixel.
 ///
 /// The object is drawn twice: by [`Visibility`](super::Visibility) with depth, with all that may
-/// hide it, and then by this, which needs no depth. It pays where shading a pixel costs more than
-/// drawing it twice, times the layers that are hidden: with [`Phong`](crate::shade::Phong) and
-/// lamps. Pixels that the shader itself discards still hide what is behind them.
+/// hide it, and then by this, which needs no depth. The coordinates in the triangles are not
+/// needed. It pays where shading a pixel costs more than drawing it twice, times the layers that
+/// are hidden: with [`Phong`](crate::shade::Phong) and lamps. Pixels that the shader itself discards still hide what is behind them.
 ///
 /// ```
 /// # use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};
 /// # use rasterizer::{attribute::NoDepth, mesh::Mesh, output::Frame, prelude::*};
-/// use rasterizer::shade::{Deferred, Phong, Visibility, VisiblePixel};
+/// use rasterizer::shade::{Deferred, Phong, Visibility, VisibleTriangle};
 ///
 /// # fn draw<'a>(
 /// #     mesh: &'a Mesh<'a>,
 /// #     phong: Phong<Rgb565>,
 /// #     camera: &Camera,
-/// #     (display, buffer): (Rectangle, &mut Frame<'_, VisiblePixel, &mut [u16]>),
+/// #     (display, buffer): (Rectangle, &mut Frame<'_, VisibleTriangle, &mut [u16]>),
 /// #     frame: &mut Frame<'_, Rgb565, NoDepth>,
 /// # ) -> Result<(), Box<dyn core::error::Error>> {
 /// // First all objects, each with a number.
-/// let seen = Object::new(mesh, Visibility::of_object(0));
+/// let seen = Object::new(mesh, Visibility::of_object(0).without_weights());
 /// seen.project_on_demand(camera, S8)?.draw(buffer)?;
 /// // Then the pixels of each that are seen.
 /// let shaded = Object::new(mesh, Deferred::new(phong, 0, buffer.pixels(), display));
@@ -42,34 +42,34 @@ use crate::{
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Deferred<'b, Sh> {
+pub struct Deferred<'b, Sh, P = VisiblePixel> {
     shader: Sh,
     object: u8,
-    pixels: &'b [VisiblePixel],
+    pixels: &'b [P],
     window: Window,
 }
 
-impl<'b, Sh: Shader> Deferred<'b, Sh> {
+impl<'b, Sh: Shader, P: Visible> Deferred<'b, Sh, P> {
     /// A shader for the visible pixels of the object with this number, in a visibility buffer of an
     /// area, row by row. Pixels outside of it are not drawn.
     #[must_use]
-    pub const fn new(shader: Sh, object: u8, pixels: &'b [VisiblePixel], area: Rectangle) -> Self {
+    pub const fn new(shader: Sh, object: u8, pixels: &'b [P], area: Rectangle) -> Self {
         Self { shader, object, pixels, window: Window::or_none(&area) }
     }
 
     /// Whether a triangle is seen at a pixel.
     #[inline(always)]
-    fn is_visible(&self, id: u32, column: i32, row: i32) -> bool {
+    fn is_visible(&self, seen: VisibleTriangle, column: i32, row: i32) -> bool {
         let index = self.window.index_of(column, row);
-        index.and_then(|index| self.pixels.get(index)).is_some_and(|pixel| pixel.id == id)
+        index.and_then(|index| self.pixels.get(index)).is_some_and(|pixel| pixel.seen() == seen)
     }
 }
 
-impl<Sh: Shader> Shader for Deferred<'_, Sh> {
+impl<Sh: Shader, P: Visible> Shader for Deferred<'_, Sh, P> {
     type Color = Sh::Color;
     type Varyings = Sh::Varyings;
     type Surface = Sh::Surface;
-    type Face = (u32, Face<Sh::Color, Sh::Face>);
+    type Face = (VisibleTriangle, Face<Sh::Color, Sh::Face>);
     type Outcome = DeferredPixel<Sh::Color, Sh::Outcome>;
 
     const TABLES: RequiredTables = Sh::TABLES;
@@ -94,8 +94,8 @@ impl<Sh: Shader> Shader for Deferred<'_, Sh> {
         face: &MeshFace<'_>,
         gradients: &Gradients<'_, OnScreen<Self>>,
     ) -> Face<Sh::Color, Self::Face> {
-        let id = VisiblePixel::id(self.object, face.index());
-        Face::Shaded((id, self.shader.face(surface, face, gradients)))
+        let seen = VisibleTriangle::new(self.object, face.index());
+        Face::Shaded((seen, self.shader.face(surface, face, gradients)))
     }
 
     #[inline(always)]
@@ -112,11 +112,11 @@ impl<Sh: Shader> Shader for Deferred<'_, Sh> {
     fn pixels(
         &self,
         surface: &Sh::Surface,
-        (id, face): Self::Face,
+        (seen, face): Self::Face,
     ) -> impl Fn(Fragment<Sample<Self>>) -> Self::Outcome + Copy {
         let pixel = inner::pixels(&self.shader, surface, face);
         move |fragment| {
-            let is_visible = self.is_visible(id, fragment.column, fragment.row);
+            let is_visible = self.is_visible(seen, fragment.column, fragment.row);
             DeferredPixel(is_visible.then(|| pixel(fragment)))
         }
     }

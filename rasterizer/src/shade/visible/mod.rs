@@ -1,75 +1,25 @@
 //! Which triangle is seen at a pixel, and where in it.
 
 mod deferred;
+mod pixel;
 
 use core::marker::PhantomData;
 
 pub use deferred::{Deferred, DeferredPixel};
+pub use pixel::{Visible, VisiblePixel, VisibleTriangle};
 
 use super::{Face, OnScreen, Sample, Shader};
 use crate::{
     attribute::{Correction, EveryPixel, PerspectiveCorrect, Weights},
     mesh::{MeshFace, MeshMaterial, MeshVertex},
-    output::{PixelFill, StoredColor},
     raster::{Fragment, Gradients},
 };
-
-/// What is seen at a pixel of a visibility buffer (Burns and Hunt, *The Visibility Buffer*, JCGT
-/// 2(2), 2013): an object, one of its triangles, and a place in it. 8 bytes.
-///
-/// A [`Frame`](crate::output::Frame) of these is drawn by [`Visibility`], and cleared to
-/// [`NONE`](Self::NONE).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct VisiblePixel {
-    /// The object in the upper 8 bits, the triangle in the others.
-    id: u32,
-    weights: [u16; 2],
-}
-
-/// The bits of a triangle's number.
-const TRIANGLE_BITS: u32 = 24;
-
-impl VisiblePixel {
-    /// The background.
-    pub const NONE: Self = Self { id: u32::MAX, weights: [0; 2] };
-
-    /// The object's number; `None` for the background.
-    #[must_use]
-    pub const fn object(self) -> Option<u8> {
-        if self.id == u32::MAX { None } else { Some((self.id >> TRIANGLE_BITS) as u8) }
-    }
-
-    /// The triangle's place in the mesh's table, clipped or not; that of a mesh of more than
-    /// 2<sup>24</sup> triangles, modulo that number.
-    #[must_use]
-    pub const fn triangle(self) -> usize {
-        (self.id & ((1 << TRIANGLE_BITS) - 1)) as usize
-    }
-
-    /// The barycentric coordinates in the mesh's triangle: how much of its three corners, in Q0.16,
-    /// where 65,535 stands for 1. The first two are rounded to the nearest unit, the third is what
-    /// they leave of 65,535.
-    #[must_use]
-    pub const fn weights(self) -> [u16; 3] {
-        let [first, second] = self.weights;
-        [first, second, u16::MAX.saturating_sub(first).saturating_sub(second)]
-    }
-
-    /// The number of a triangle of an object.
-    const fn id(object: u8, triangle: usize) -> u32 {
-        (object as u32) << TRIANGLE_BITS | (triangle as u32 & ((1 << TRIANGLE_BITS) - 1))
-    }
-}
-
-impl StoredColor for VisiblePixel {
-    type Fill = PixelFill<Self>;
-}
 
 /// Draws a visibility buffer: a [`Frame`](crate::output::Frame) of [`VisiblePixel`]s with depth.
 ///
 /// What it is for: the triangle under a touch point, whose place in the mesh and on its surface are
 /// known; a highlight of one object; shading each visible pixel once, after all triangles
-/// ([`Deferred`]).
+/// ([`Deferred`]), for which [`without_weights`](Self::without_weights) is enough.
 ///
 /// Coordinates are linear in space, or by the mode `M`, such as
 /// [`Affine`](crate::attribute::Affine), linear on the screen: in each part of a triangle that is
@@ -128,13 +78,61 @@ impl<M> Visibility<M> {
     pub const fn corrected<N: Correction>(self, _: N) -> Visibility<N> {
         Visibility { object: self.object, mode: PhantomData }
     }
+
+    /// Without coordinates: draws [`VisibleTriangle`]s, of half the size, as fast as [`Unlit`] draws
+    /// colours.
+    ///
+    /// [`Unlit`]: super::Unlit
+    #[must_use]
+    pub const fn without_weights(self) -> Visibility<NoWeights> {
+        Visibility { object: self.object, mode: PhantomData }
+    }
+}
+
+/// No coordinates: see [`Visibility::without_weights`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NoWeights;
+
+impl Shader for Visibility<NoWeights> {
+    type Color = VisibleTriangle;
+    type Varyings = [u16; 0];
+    type Surface = ();
+    type Face = VisibleTriangle;
+    type Outcome = VisibleTriangle;
+
+    fn surface(&self, _: &MeshMaterial<'_>) {}
+
+    #[inline(always)]
+    fn vertex(&self, _: &MeshVertex<'_>) -> [u16; 0] {
+        []
+    }
+
+    #[inline(always)]
+    fn face(
+        &self,
+        (): &(),
+        face: &MeshFace<'_>,
+        _: &Gradients<'_, [u16; 0]>,
+    ) -> Face<VisibleTriangle, VisibleTriangle> {
+        Face::Solid(VisibleTriangle::new(self.object, face.index()))
+    }
+
+    #[inline(always)]
+    fn pixel(
+        &self,
+        (): &(),
+        &seen: &VisibleTriangle,
+        _: Fragment<Sample<Self>>,
+    ) -> VisibleTriangle {
+        seen
+    }
 }
 
 impl<M: Correction> Shader for Visibility<M> {
     type Color = VisiblePixel;
     type Varyings = PerspectiveCorrect<Weights, M>;
     type Surface = ();
-    type Face = u32;
+    type Face = VisibleTriangle;
     type Outcome = VisiblePixel;
 
     fn surface(&self, _: &MeshMaterial<'_>) {}
@@ -150,13 +148,18 @@ impl<M: Correction> Shader for Visibility<M> {
         (): &(),
         face: &MeshFace<'_>,
         _: &Gradients<'_, OnScreen<Self>>,
-    ) -> Face<VisiblePixel, u32> {
-        Face::Shaded(VisiblePixel::id(self.object, face.index()))
+    ) -> Face<VisiblePixel, VisibleTriangle> {
+        Face::Shaded(VisibleTriangle::new(self.object, face.index()))
     }
 
     #[inline(always)]
-    fn pixel(&self, (): &(), &id: &u32, fragment: Fragment<Sample<Self>>) -> VisiblePixel {
-        VisiblePixel { id, weights: fragment.varyings.value.map(to_q16) }
+    fn pixel(
+        &self,
+        (): &(),
+        &seen: &VisibleTriangle,
+        fragment: Fragment<Sample<Self>>,
+    ) -> VisiblePixel {
+        VisiblePixel::new(seen, fragment.varyings.value.map(to_q16))
     }
 }
 

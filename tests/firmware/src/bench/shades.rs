@@ -1,10 +1,13 @@
-//! The bench scenes of light, colour, blending, fog, lines and points, and of a scissor.
+//! The bench scenes of light, colour, blending, fog, lines and points, of a scissor, of layers that
+//! are shaded once, and of several samples a pixel.
 
 mod blend;
 mod color;
 mod fog;
+mod layers;
 mod light;
 mod lines;
+mod samples;
 mod scissor;
 
 pub(crate) use light::LAMP;
@@ -37,6 +40,8 @@ pub fn main<const SET_UP: bool>() {
         scenes.fog();
         scenes.lines();
         scenes.scissor();
+        scenes.layers();
+        scenes.samples();
     });
 }
 

@@ -180,7 +180,10 @@ exponential, at each pixel or at each *vertex*. *dither* is that of 8 x 8 thresh
 are those of an OLED. *lines* are the edges of its faces, and *drawn* counts their pixels: with
 *hidden* those that the sphere does not hide, after its depth has been drawn. *smooth* ones are
 antialiased, one pixel wide. *points* are its vertices, 3 x 3 pixels each. *scissored* draws in the
-right half of the picture. *painter* draws from back to front, without depth.";
+right half of the picture. *painter* draws from back to front, without depth. *layers* are six
+spheres one behind the other, the farthest drawn first; *deferred*, a visibility buffer is drawn,
+and each visible pixel is shaded once. *sent* is drawn in bands and sent to a display, *2x2* and
+*4x4* with as many samples a pixel. The *pixels* of *layers* have their vertices too.";
 
     fn parse(outputs: &[Output]) -> Result<Self> {
         let mut scenes = Vec::new();
