@@ -7,7 +7,7 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
     camera::Camera,
     color::Composite,
-    geometry::{self, ScreenVertex},
+    geometry::{self, ClipAll, ScreenVertex},
     numbers,
     output::StoredColor,
     scene::Object,
@@ -97,8 +97,15 @@ pub(super) fn end_to_end<'a, const N: usize>(
     Box::new(move || {
         let (camera, mesh) = (view.reference_camera(), surface.mesh(model, &view));
         let size = view.size.map(|c| c as usize).into();
-        let bare =
-            reference::draw_scene(&camera, &mesh, reference::Culling::Back, size, varyings, shade);
+        let bare = reference::draw_clipped_scene(
+            &camera,
+            &mesh,
+            &view.half_spaces(),
+            reference::Culling::Back,
+            size,
+            varyings,
+            shade,
+        );
         match view.fog {
             Some(fog) => fog.over(&bare, |depth| view.fog_distance(depth)),
             None => bare,
@@ -119,8 +126,11 @@ pub(super) struct Placed<const N: usize, C> {
     pub(super) fog: Option<SeenPicture>,
 }
 
-/// Draws a model by the core, in the fog of the view. `placed` returns the reference's varyings of
-/// a corner.
+/// Draws a model by the core, in the fog of the view and cut at its planes. `placed` returns the
+/// reference's varyings of a corner.
+///
+/// A view with fog or planes has one type for both, with a fog that may be none and planes that may
+/// be far away: a copy of the code for each would take another minute to compile.
 pub(super) fn place<const N: usize, Sh>(
     model: &Model,
     view: &View,
@@ -135,17 +145,18 @@ where
     let in_fog = Fogged::new(shader.clone(), &core, chosen.core_color().into()).computed(AnyFog);
     let near = view.rounded().near;
     fog::with(chosen.by, || {
-        let drawn = if view.fog.is_some() {
+        let planes = view.planes.core()?;
+        let drawn = if view.fog.is_some() || view.planes.exist() {
             let placed =
                 |triangle, (corner, seen)| (placed(triangle, corner), fog::inverse_w(seen, near));
             let shader = &in_fog;
             any_depth::with(view.depth, || {
-                drawing::draw(view, ByShader { model, view, shader, placed })
+                drawing::draw(view, ByShader { model, view, shader, clipping: planes, placed })
             })
         } else {
             let placed = |triangle, corner| (placed(triangle, corner), 1.0);
             any_depth::with(view.depth, || {
-                drawing::draw(view, ByShader { model, view, shader, placed })
+                drawing::draw(view, ByShader { model, view, shader, clipping: ClipAll, placed })
             })
         }?;
         let blended = match view.blending {
@@ -164,17 +175,19 @@ pub(super) trait ShownColor: StoredColor + From<Rgb888> + Into<Rgb888> {}
 impl<C: StoredColor + From<Rgb888> + Into<Rgb888>> ShownColor for C {}
 
 /// A model, and what the reference has at its corners.
-struct ByShader<'a, Sh, F> {
+struct ByShader<'a, Sh, C, F> {
     model: &'a Model,
     view: &'a View,
     shader: &'a Sh,
+    clipping: C,
     /// The varyings and 1 / w of a corner of a triangle.
     placed: F,
 }
 
-impl<const N: usize, Sh, F> Drawing for ByShader<'_, Sh, F>
+impl<const N: usize, Sh, C, F> Drawing for ByShader<'_, Sh, C, F>
 where
     Sh: Shader<Color: ShownColor>,
+    C: geometry::Clipping,
     F: Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 {
     type Drawn = Placed<N, Sh::Color>;
@@ -183,9 +196,9 @@ where
         self,
         camera: &Camera<P>,
     ) -> Result<Self::Drawn, ViewError> {
-        let Self { model, view, shader, placed } = self;
+        let Self { model, view, shader, clipping, placed } = self;
         let mesh = model.mesh();
-        let object = Object::new(&mesh, shader.clone()).posed(view.pose());
+        let object = Object::new(&mesh, shader.clone()).posed(view.pose()).clipped(clipping);
         let mut storage =
             vec![ScreenVertex::<S, AnyDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
         let start = Instant::now();

@@ -22,8 +22,8 @@ use crate::{model::Model, reference::Blend};
 
 /// A model blended with itself, from back to front.
 ///
-/// Without depth: all of its layers are seen. The shader is one in fog, which may be none, so that
-/// the code is compiled once for both.
+/// Without depth: all of its layers are seen. The shader is one in fog, which may be none, and
+/// planes may be far away, so that the code is compiled once.
 pub(super) struct Blended<'a, Sh> {
     pub(super) model: &'a Model,
     pub(super) view: &'a View,
@@ -41,11 +41,10 @@ impl<Sh: Shader<Color: ShownColor>> Drawing for Blended<'_, Sh> {
         let Self { model, view, blend, shader } = self;
         let (mesh, layers) = (model.mesh(), RefCell::default());
         let factor = MaterialOpacity::times(blending::alpha(view.opacity));
-        let object = Object::new(&mesh, shader.clone()).posed(view.pose()).blended(Recorder {
-            blend,
-            factor,
-            layers: &layers,
-        });
+        let object = Object::new(&mesh, shader.clone())
+            .posed(view.pose())
+            .clipped(view.planes.core()?)
+            .blended(Recorder { blend, factor, layers: &layers });
         let mut order = vec![0; mesh.triangle_count()];
         let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
         let projected = projected.back_to_front(&mut order)?;

@@ -135,7 +135,10 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
     ) -> Result<FixedPicture, ViewError> {
         let Self { model, view, options, surfaces, shader } = self;
         let mesh = model.mesh();
-        let object = Object::new(&mesh, shader).posed(view.pose()).biased(BEHIND);
+        let object = Object::new(&mesh, shader)
+            .posed(view.pose())
+            .clipped(view.planes.core()?)
+            .biased(BEHIND);
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
         let seen = object.project(camera, &mut storage)?;
 

@@ -44,6 +44,7 @@ mod normals;
 mod object;
 mod placement;
 mod places;
+mod planes;
 mod probe;
 mod shading;
 mod shiny;
@@ -69,6 +70,7 @@ pub use lines::{Edges, LineOptions, render_with_lines, wireframe};
 pub use normals::NormalErrors;
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
+pub use planes::{MOST_PLANES, PlaneSpace, ViewPlanes};
 pub use shading::Shading;
 pub use view::{Projection, Subpixel, View, ViewError};
 

@@ -11,14 +11,18 @@
 //!   projection it is a times the pixels of a unit.
 //! * **The core** snaps to sub-pixels ([`SNAPPING`]) after computing ([`ARITHMETIC`]).
 //!
-//! Where the near or the far plane cuts an edge, the corner has the arithmetic of both ends and its
-//! own ([`CUT`]). Rounding to quanta also moves the cut along the edge, to where its distance is
-//! that of the plane give or take d: [`Placement::margin`] is twice that.
+//! Where a plane cuts an edge, the corner has the arithmetic of both ends and its own ([`CUT`]; one
+//! more for each plane of the user's). Rounding to quanta also moves the cut along the edge. A
+//! point of a triangle of the tables is a point of the exact one that is moved by half a quantum in
+//! each coordinate, so what lies in the plane comes from points within n · q of it, for the sum of
+//! the normal's coordinates times the half quanta: [`CutPlane::margin`] is twice that. The rest is
+//! for the core's distances from the plane, which are within a 1,000th of a quantum and a
+//! 2<sup>26</sup>th of the distance from the mesh's origin.
 
 use super::view::View;
 use crate::{
     model::Model,
-    reference::{Camera, Plane, Projection},
+    reference::{Camera, HalfSpace, Plane, Projection},
 };
 
 /// In sub-pixels: rounding to the nearest.
@@ -41,9 +45,11 @@ const DEPTH: f64 = 1.0 / (1 << 20) as f64;
 const STORED: f64 = 2.0;
 
 /// The bounds for a model in a view.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Placement {
     camera: Camera,
+    /// The near plane, the far plane, and those of the user's.
+    planes: Vec<CutPlane>,
     /// Half a quantum along the axes of view space.
     quantum: [f64; 3],
     /// A sub-pixel in pixels.
@@ -56,10 +62,28 @@ pub(super) struct Placement {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Piece {
     pub(super) ends: [[f64; 3]; 2],
-    /// Whether the near or the far plane may cut it.
+    /// Whether a plane may cut it.
     pub(super) is_cut: bool,
-    /// Of a cut through a face: how far that runs aside for each unit of distance.
-    pub(super) tilt: f64,
+}
+
+/// A plane that cuts the model, in view space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct CutPlane {
+    /// What is kept, with a normal of length 1.
+    pub(super) side: HalfSpace,
+    /// Half the thickness of the layer in which exact positions and those of the tables may lie on
+    /// different sides.
+    pub(super) margin: f64,
+}
+
+impl CutPlane {
+    /// Of a half space in view space, where `quantum` has the half quanta along the axes.
+    fn new(HalfSpace { normal, offset }: HalfSpace, quantum: [f64; 3]) -> Self {
+        let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
+        let normal = normal.map(|c| c / length);
+        let across: f64 = (0..3).map(|i| normal[i].abs() * quantum[i]).sum();
+        Self { side: HalfSpace { normal, offset: offset / length }, margin: 2.0 * across }
+    }
 }
 
 impl Placement {
@@ -70,9 +94,22 @@ impl Placement {
             .map(|p| p.iter().map(|c| c.abs()).sum())
             .fold(0.0, f64::max);
         let row = |i: usize| columns.iter().map(|column| column[i].abs()).sum::<f64>();
+        let quantum = [0, 1, 2].map(|i| row(i) * quantum / 2.0 + reach * TURNING);
+        let camera = view.reference_camera();
+        let [near, far] = camera.projection.depth_range();
+        let ends = [
+            HalfSpace { normal: [0.0, 0.0, -1.0], offset: -near },
+            HalfSpace { normal: [0.0, 0.0, 1.0], offset: far },
+        ];
+        // The camera's axes are those of the world.
+        let own = view
+            .half_spaces()
+            .into_iter()
+            .map(|side| side.widened(side.depth(camera.eye) - side.offset));
         Self {
-            camera: view.reference_camera(),
-            quantum: [0, 1, 2].map(|i| row(i) * quantum / 2.0 + reach * TURNING),
+            planes: ends.into_iter().chain(own).map(|side| CutPlane::new(side, quantum)).collect(),
+            camera,
+            quantum,
             subpixel: 0.5f64.powi(view.subpixel.bits() as i32),
             depth_unit: view.depth.definition().largest_unit(),
         }
@@ -86,7 +123,7 @@ impl Placement {
     /// In pixels: how far a vertex at a place in view space may lie from there. Infinite at the
     /// eye.
     pub(super) fn of_vertex(&self, position: [f64; 3]) -> f64 {
-        self.of_arithmetic() + self.moved(&[position], 0.0, 0.0)
+        self.of_arithmetic() + self.moved(&[position], 0.0)
     }
 
     /// The exact place of a point that the core gives a place on the screen.
@@ -98,39 +135,34 @@ impl Placement {
         [point.x.min(middle[0] + last), point.y.min(middle[1] + last)]
     }
 
-    /// Half the thickness of the layers about the near and the far plane in which exact positions
-    /// and those of the tables may lie on different sides.
-    pub(super) fn margin(&self) -> f64 {
-        2.0 * self.quantum[2]
+    /// The planes that cut the model.
+    pub(super) fn planes(&self) -> &[CutPlane] {
+        &self.planes
     }
 
-    /// The piece of an edge between two distances; `None` if it has none.
-    pub(super) fn between(&self, ends: [[f64; 3]; 2], [near, far]: [f64; 2]) -> Option<Piece> {
-        let [start, end] = ends.map(|p| -p[2]);
-        let (nearest, farthest) = (start.min(end), start.max(end));
-        if farthest < near || nearest > far {
-            return None;
-        }
-        let [low, high] = self.camera.projection.depth_range();
-        let margin = self.margin();
-        if nearest > low + margin && farthest < high - margin {
-            return Some(Piece { ends, is_cut: false, tilt: 0.0 });
-        }
-        let at = |plane: f64| {
-            let t = (plane - start) / (end - start);
-            let blend = |i: usize| ends[0][i] + t * (ends[1][i] - ends[0][i]);
-            [blend(0), blend(1), -plane]
-        };
-        let clipped = |p: [f64; 3]| {
-            if -p[2] < near {
-                at(near)
-            } else if -p[2] > far {
-                at(far)
-            } else {
-                p
+    /// The piece of an edge that the planes leave if they lie farther outside by `outward` times
+    /// their margins; `None` if they leave none.
+    pub(super) fn between(&self, mut ends: [[f64; 3]; 2], outward: f64) -> Option<Piece> {
+        let mut is_cut = false;
+        for CutPlane { side, margin } in &self.planes {
+            let depths = ends.map(|end| side.depth(end));
+            is_cut |= depths[0].min(depths[1]) <= *margin;
+            let [from, to] = depths.map(|depth| depth + outward * margin);
+            if from < 0.0 && to < 0.0 {
+                return None;
             }
-        };
-        Some(Piece { ends: ends.map(clipped), is_cut: true, tilt: 0.0 })
+            if from < 0.0 || to < 0.0 {
+                let t = from / (from - to);
+                let crossing = [0, 1, 2].map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i]));
+                ends[usize::from(to < 0.0)] = crossing;
+            }
+        }
+        Some(Piece { ends, is_cut })
+    }
+
+    /// In eighths of a sub-pixel: the arithmetic of a corner that planes may cut.
+    fn cut(&self) -> f64 {
+        CUT + self.planes[2..].len() as f64
     }
 
     /// In pixels, in x and in y: how far the core may draw a piece of an edge from its exact place.
@@ -143,16 +175,16 @@ impl Placement {
             (point.x - middle[0]).abs().max((point.y - middle[1]).abs())
         };
         let reaches_guard = piece.ends.iter().map(aside).fold(0.0, f64::max) > GUARD - 1.0;
-        let cut = if piece.is_cut || reaches_guard { CUT } else { 1.0 };
+        let cut = if piece.is_cut || reaches_guard { self.cut() } else { 1.0 };
         let end = if reaches_guard { GUARD_END } else { 0.0 };
         // Only what lies in the picture or next to it is drawn.
         let seen = self.beside_picture(piece.ends);
-        let moved = self.moved(&seen, deviation, piece.tilt);
+        let moved = self.moved(&seen, deviation);
         (SNAPPING + ARITHMETIC * cut + end) * self.subpixel + moved
     }
 
     /// By how many pixels rounding to quanta moves points of a line.
-    fn moved(&self, points: &[[f64; 3]], deviation: f64, tilt: f64) -> f64 {
+    fn moved(&self, points: &[[f64; 3]], deviation: f64) -> f64 {
         let [x, y, z] = self.quantum.map(|quantum| quantum + 2.0 * deviation);
         let across = x.max(y);
         match self.camera.projection {
@@ -161,14 +193,12 @@ impl Placement {
                 let aside = |p: &[f64; 3]| p[0].abs().max(p[1].abs()) / -p[2];
                 let aside = points.iter().map(aside).fold(0.0, f64::max);
                 if distance > 0.0 {
-                    focal_length_px * (across + (aside + tilt) * z) / distance
+                    focal_length_px * (across + aside * z) / distance
                 } else {
                     f64::INFINITY
                 }
             }
-            Projection::Orthographic { pixels_per_unit, .. } => {
-                pixels_per_unit * (across + tilt * z)
-            }
+            Projection::Orthographic { pixels_per_unit, .. } => pixels_per_unit * across,
         }
     }
 
@@ -215,15 +245,18 @@ impl Placement {
         let [near, far] = self.camera.projection.depth_range();
         let Some([x, y, z]) = plane.normal() else { return f64::INFINITY };
         let nearest = corners.iter().map(|p| -p[2]).fold(f64::INFINITY, f64::min);
-        let is_cut = nearest < near + self.margin();
+        let is_beyond = |plane: &CutPlane| {
+            corners.iter().any(|&corner| plane.side.depth(corner) < plane.margin)
+        };
+        let is_cut = self.planes.iter().any(is_beyond);
         let nearest = nearest.max(near);
         let away = self.quantum[2] + 2.0 * plane.deviation;
         // A corner that is cut elsewhere along its edge stays on the plane of the edge.
-        let cut = if is_cut { CUT } else { 1.0 };
+        let cut = if is_cut { self.cut() } else { 1.0 };
         let front: Vec<[f64; 3]> =
             corners.iter().map(|&[x, y, z]| [x, y, z.min(-nearest)]).collect();
-        let moved = self.moved(&front, plane.deviation, 0.0)
-            + (SNAPPING + ARITHMETIC * cut) * self.subpixel;
+        let moved =
+            self.moved(&front, plane.deviation) + (SNAPPING + ARITHMETIC * cut) * self.subpixel;
         let off = match self.camera.projection {
             Projection::Perspective { focal_length_px, .. } => {
                 // near / w = near (x X / w + y Y / w + z) / distance, for the plane of points P
@@ -342,14 +375,12 @@ mod tests {
             let view = view(&mut random, number);
             let placement = Placement::new(&model, &view);
             let camera = view.reference_camera();
-            let [near, far] = camera.projection.depth_range();
-            let margin = placement.margin();
             let in_view = |p| camera.to_view(view.pose_points(&[p])[0]);
             let ends = [(); 2].map(|()| [(); 3].map(|()| random.real(-0.577, 0.577)));
             let corners = [(); 2].map(|()| random.real(0.0, 8.0) as usize);
             let other = [0, 1].map(|i| in_view(moved(&model, ends[i], corners[i])));
-            let Some(other) = placement.between(other, [near, far]) else { continue };
-            let exact = placement.between(ends.map(in_view), [near - margin, far + margin]);
+            let Some(other) = placement.between(other, 0.0) else { continue };
+            let exact = placement.between(ends.map(in_view), 1.0);
             let exact = exact.expect("it reaches beyond the moved one");
             let bound = placement.of_piece(&exact, 0.0) - placement.of_arithmetic();
             let points = |piece: Piece| {

@@ -12,6 +12,10 @@
 //! * **Wrong faces.** A pixel that no edge is close to must have the depth of a face there that may
 //!   be the nearest, and a colour of that face.
 //!
+//! Planes cut faces, the near plane, the far plane and those of the user's alike. The silhouette is
+//! then that of what is left. About each plane is a layer in which vertices of the tables may lie
+//! on the other side: what a face has in it is close to an edge.
+//!
 //! A face that is not flat has no single picture: how it is cut decides. Its outline has one. So
 //! holes are judged as for flat faces; for the rest, edges of the face, and the bound on its depth,
 //! have its deviation from the mean plane on top. A face that crosses itself is not judged, nor one
@@ -19,13 +23,13 @@
 
 use super::{
     object::{FixedPicture, Pixel},
-    placement::{Piece, Placement},
-    surface::{Surface, next},
+    placement::{CutPlane, Piece, Placement},
+    surface::Surface,
     view::View,
 };
 use crate::{
-    model::{Face, Faces, Model},
-    reference::{Camera, Picture, Pixels, Plane, Projection, Winding},
+    model::{Faces, Model},
+    reference::{Camera, HalfSpace, Picture, Pixels, Plane, Projection, Winding, clip_ring},
 };
 
 /// What is wrong with a pixel.
@@ -244,35 +248,46 @@ impl<'a> Outlines<'a> {
 
     /// How often the silhouette of the fronts encloses each pixel, and the pixels close to it.
     fn silhouette(&self) -> (Vec<i32>, Pixels) {
-        let range = self.camera.projection.depth_range();
         let (mut winding, mut close) = (Winding::new(self.size), Pixels::none(self.size));
-        let mut times = vec![0; self.surface.edges.len()];
+        let mut layers = Winding::new(self.size);
+        let kept: Vec<_> = self.placement.planes().iter().map(|plane| plane.side).collect();
+        // Of all faces, and of those that no plane cuts.
+        let mut times = vec![[0; 2]; self.surface.edges.len()];
         for (number, face) in self.faces.faces.iter().enumerate() {
             if !(self.is_judged[number] && self.shows_front(number)) {
                 continue;
             }
+            let corners = self.corners(number);
+            let is_outside = |side: &HalfSpace| corners.iter().any(|&p| side.depth(p) < 0.0);
+            let is_cut = kept.iter().any(is_outside);
             for side in &self.surface.sides[face.corners.clone()] {
-                times[side.edge] += side.direction;
+                let [all, whole] = &mut times[side.edge];
+                *all += side.direction;
+                *whole += if is_cut { 0 } else { side.direction };
             }
-            self.mark_cuts(number, &mut close, Some(&mut winding));
+            if is_cut {
+                self.wind(&clip_ring(&corners, &kept), 1, &mut winding);
+            }
+            self.mark_layers(number, &mut close, &mut layers);
         }
-        for (edge, &times) in
-            self.surface.edges.iter().zip(&times).filter(|(_, times)| **times != 0)
-        {
+        for (edge, &[all, whole]) in self.surface.edges.iter().zip(&times) {
             let ends = edge.ends.map(|end| self.points[end]);
-            if let Some(piece) = self.placement.between(ends, range) {
-                let [from, to] = piece.ends.map(|end| self.on_screen(end));
-                winding.add(from, to, times);
+            if whole != 0 {
+                let [from, to] = ends.map(|end| self.on_screen(end));
+                winding.add(from, to, whole);
             }
-            // The outline of a face is exact even if the face isn't flat.
-            self.mark(&mut close, ends, 0.0);
+            if all != 0 {
+                // The outline of a face is exact even if the face isn't flat.
+                self.mark(&mut close, ends, 0.0);
+            }
         }
+        close.add_enclosed(&layers);
         (winding.numbers(), close)
     }
 
     /// The pixels close to any edge, or within a face that is not judged.
     fn close_to_edges(&self) -> Pixels {
-        let mut close = Pixels::none(self.size);
+        let (mut close, mut layers) = (Pixels::none(self.size), Winding::new(self.size));
         for edge in &self.surface.edges {
             self.mark(&mut close, edge.ends.map(|end| self.points[end]), edge.deviation);
         }
@@ -280,17 +295,16 @@ impl<'a> Outlines<'a> {
             if !self.is_judged[number] {
                 self.mark_whole(&mut close, number);
             }
-            self.mark_cuts(number, &mut close, None);
+            self.mark_layers(number, &mut close, &mut layers);
         }
+        close.add_enclosed(&layers);
         close
     }
 
     /// Marks the pixels close to an edge, and to what vertices of the tables may leave of it
     /// between the planes.
     fn mark(&self, close: &mut Pixels, ends: [[f64; 3]; 2], deviation: f64) {
-        let [near, far] = self.camera.projection.depth_range();
-        let margin = self.placement.margin();
-        if let Some(piece) = self.placement.between(ends, [near - margin, far + margin]) {
+        if let Some(piece) = self.placement.between(ends, 1.0) {
             let [from, to] = piece.ends.map(|end| self.on_screen(end));
             close.add_close_to(from, to, self.placement.of_piece(&piece, deviation));
         }
@@ -312,78 +326,47 @@ impl<'a> Outlines<'a> {
         let places: Vec<_> = points.iter().map(|&p| self.on_screen(p)).collect();
         let low = |axis: usize| places.iter().map(|p| p[axis]).fold(f64::INFINITY, f64::min);
         let high = |axis: usize| places.iter().map(|p| p[axis]).fold(f64::NEG_INFINITY, f64::max);
-        let reach = |&p: &[f64; 3]| {
-            self.placement.of_piece(&Piece { ends: [p; 2], is_cut: true, tilt: 0.0 }, deviation)
-        };
+        let piece = |&p: &[f64; 3]| Piece { ends: [p; 2], is_cut: true };
+        let reach = |p: &[f64; 3]| self.placement.of_piece(&piece(p), deviation);
         let reach = points.iter().map(reach).fold(0.0, f64::max);
         close.add_between([low(0) - reach, low(1) - reach], [high(0) + reach, high(1) + reach]);
     }
 
-    /// Marks the pixels close to where the near and the far plane cut a face: in the layer about
-    /// each in which vertices of the tables may lie on the other side. Adds the cut to `winding`.
-    fn mark_cuts(&self, face: usize, close: &mut Pixels, mut winding: Option<&mut Winding>) {
-        /// A line that may be moved by more pixels is marked by the rectangle about its layer.
-        const NARROW: f64 = 1.0;
-        let [near, far] = self.camera.projection.depth_range();
-        let deviation = self.planes[face].deviation;
+    /// Marks the pixels close to the outline of what a face has in the layer about each plane, and
+    /// adds that outline to `layers`.
+    fn mark_layers(&self, face: usize, close: &mut Pixels, layers: &mut Winding) {
+        let (corners, deviation) = (self.corners(face), self.planes[face].deviation);
         // A point of the face lies within the deviation of the mean plane. So do the points of the
         // outline on both sides of it, at the distance that it has there.
-        let layer = self.placement.margin() + 2.0 * deviation;
-        let corners = self.corners(face);
-        let nearest = corners.iter().map(|p| -p[2]).fold(f64::INFINITY, f64::min);
-        let farthest = corners.iter().map(|p| -p[2]).fold(f64::NEG_INFINITY, f64::max);
-        if nearest > near + layer && farthest < far - layer {
-            return;
-        }
-        for (plane, side) in [(near, 1.0), (far, -1.0)] {
-            let mut points: Vec<_> =
-                corners.iter().copied().filter(|p| (-p[2] - plane).abs() <= layer).collect();
-            let mut is_narrow = points.len() < corners.len();
-            for offset in [-layer, 0.0, layer] {
-                for piece in self.cuts(face, plane + offset, side) {
-                    let [from, to] = piece.ends.map(|end| self.on_screen(end));
-                    if let Some(winding) = winding.as_deref_mut().filter(|_| offset == 0.0) {
-                        winding.add(from, to, 1);
-                    }
-                    points.extend(piece.ends);
-                    let reach = self.placement.of_piece(&piece, deviation);
-                    is_narrow &= reach <= NARROW;
-                    if is_narrow {
-                        close.add_close_to(from, to, reach);
-                    }
-                }
+        let layer = |plane: &CutPlane| plane.margin + 2.0 * deviation;
+        let planes = self.placement.planes();
+        for (number, plane) in planes.iter().enumerate() {
+            let thickness = layer(plane);
+            let is_within = |&p: &[f64; 3]| plane.side.depth(p) > thickness;
+            if corners.iter().all(is_within) {
+                continue;
             }
-            // Nearly parallel to the plane, or far from flat.
-            if !is_narrow {
-                self.mark_rectangle(close, &points, deviation);
+            let others = planes.iter().enumerate().filter(|(other, _)| *other != number);
+            let mut sides: Vec<_> =
+                others.map(|(_, plane)| plane.side.widened(layer(plane))).collect();
+            let both = [plane.side, plane.side.flipped()];
+            sides.extend(both.map(|side| side.widened(thickness)));
+            let ring = clip_ring(&corners, &sides);
+            for (from, to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+                let piece = Piece { ends: [*from, *to], is_cut: true };
+                let [from, to] = piece.ends.map(|end| self.on_screen(end));
+                close.add_close_to(from, to, self.placement.of_piece(&piece, deviation));
             }
+            let is_front = self.shows_front(face);
+            self.wind(&ring, if is_front { 1 } else { -1 }, layers);
         }
     }
 
-    /// The lines in which the plane at a distance cuts a face, in the face's winding. What lies
-    /// beyond it is kept if `side` is 1, what lies before it if that is -1.
-    fn cuts(&self, face: usize, plane: f64, side: f64) -> Vec<Piece> {
-        let Face { corners, .. } = &self.faces.faces[face];
-        let point = |corner: usize| self.points[self.faces.corners[corner] as usize];
-        let is_kept = |p: [f64; 3]| side * (-p[2] - plane) >= 0.0;
-        // Where the outline leaves what is kept, and where it comes back, in turn.
-        let mut crossings = Vec::new();
-        for corner in corners.clone() {
-            let (from, to) = (point(corner), point(next(&self.faces.faces[face], corner)));
-            if is_kept(from) != is_kept(to) {
-                let t = (-plane - from[2]) / (to[2] - from[2]);
-                let [x, y] = [0, 1].map(|i| from[i] + t * (to[i] - from[i]));
-                crossings.push((is_kept(from), [x, y, -plane]));
-            }
+    /// Adds the outline of a ring of corners in view space.
+    fn wind(&self, ring: &[[f64; 3]], times: i32, winding: &mut Winding) {
+        let place = |p: &[f64; 3]| self.on_screen(*p);
+        for (from, to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
+            winding.add(place(from), place(to), times);
         }
-        if crossings.first().is_some_and(|&(leaves, _)| !leaves) {
-            crossings.rotate_left(1);
-        }
-        let [x, y, z] = self.planes[face].area;
-        let tilt = z.abs() / x.hypot(y);
-        let tilt = if tilt.is_nan() { f64::INFINITY } else { tilt };
-        let piece =
-            |pair: &[(bool, [f64; 3])]| Piece { ends: [pair[0].1, pair[1].1], is_cut: true, tilt };
-        crossings.chunks_exact(2).map(piece).collect()
     }
 }

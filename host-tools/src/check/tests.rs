@@ -10,6 +10,7 @@ mod filter;
 mod fog;
 mod lines;
 mod matcap;
+mod planes;
 mod shiny;
 mod textured;
 
@@ -99,6 +100,7 @@ const FRONT: View = View {
     opacity: 1.0,
     fog: None,
     lights: ViewLights::OVER_THE_SHOULDER,
+    planes: ViewPlanes { sides: [None; MOST_PLANES], space: PlaneSpace::Object },
 };
 
 #[track_caller]

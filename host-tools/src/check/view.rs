@@ -15,6 +15,7 @@ use rasterizer::{
 
 use super::{
     BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights,
+    ViewPlanes,
 };
 use crate::reference;
 
@@ -95,6 +96,8 @@ pub struct View {
     pub opacity: f64,
     /// What colours fade into with the distance.
     pub fog: Option<Fog>,
+    /// Where the model is cut.
+    pub planes: ViewPlanes,
 }
 
 impl Default for View {
@@ -120,6 +123,7 @@ impl Default for View {
             background: BACKGROUND,
             opacity: 1.0,
             fog: None,
+            planes: ViewPlanes::default(),
         }
     }
 }
@@ -189,6 +193,7 @@ impl View {
             pitch_degrees: turn(self.pitch_degrees),
             roll_degrees: turn(self.roll_degrees),
             fog: self.fog.map(Fog::rounded),
+            planes: self.planes.rounded(),
             ..self
         }
     }
@@ -328,7 +333,12 @@ fn angle(degrees: f64) -> Turn {
     Turn::from_bits(steps.round() as u64 as u32)
 }
 
-fn checked(what: &'static str, value: f64, least: f64, most: f64) -> Result<f64, ViewError> {
+pub(super) fn checked(
+    what: &'static str,
+    value: f64,
+    least: f64,
+    most: f64,
+) -> Result<f64, ViewError> {
     if value >= least && value <= most {
         Ok(value)
     } else {

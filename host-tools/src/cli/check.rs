@@ -33,6 +33,7 @@ Examples:
   host-tools check model.obj --shading flat --colors binary --dither 8
   host-tools check model.obj --shading phong --light 1,2,2,0.5 --lamp 0,0.5,1.5,1
   host-tools check model.obj --blend over --opacity 0.5
+  host-tools check model.obj --clip 0,0,-1,0.25 --clip-in world
 
 What is judged, of faces alone (not of lines and points):
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
@@ -48,7 +49,8 @@ What is judged, of faces alone (not of lines and points):
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
-                covered those where faces meet.
+                covered those where faces meet. With --clip, a pixel is also not judged where a face
+                lies so close to a plane that quanta may bring it onto the other side.
   Display       With --colors: each pixel has the step that the definition of dithering gives the
                 core's colour, and one that it gives the exact colour, give or take a step of 8
                 bits. The mean of each 8x8 square of one colour is within 1/64 of white of it with

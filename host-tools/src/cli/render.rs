@@ -36,6 +36,7 @@ Examples:
   host-tools render model.obj --supersample 4        Smooth edges
   host-tools render model.obj --hidden-lines --edges 30  The edges that can be seen
   host-tools render model.obj --painter             Without a depth buffer
+  host-tools render model.obj --clip 0,0,-1,0 --clip 1,0,0,0.5  What two planes leave
   host-tools render model.obj --wireframe-over --line-color ffffff --line-width 2
   host-tools render model.obj --frames 60           A turntable, as an animated PNG";
 
@@ -224,8 +225,8 @@ pub(super) fn refused(path: &Path, error: &ViewError) -> anyhow::Error {
 /// The message for a picture without a pixel of the model.
 pub(super) fn nothing_seen(path: &Path) -> String {
     format!(
-        "no pixel shows anything of {}: change --distance, --near, --far, --fov, --orthographic or \
-         --size",
+        "no pixel shows anything of {}: change --distance, --near, --far, --fov, --orthographic, \
+         --clip or --size",
         path.display()
     )
 }

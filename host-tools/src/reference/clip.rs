@@ -43,6 +43,18 @@ impl HalfSpace {
     pub fn depth(&self, point: [f64; 3]) -> f64 {
         self.offset + (0..3).map(|i| self.normal[i] * point[i]).sum::<f64>()
     }
+
+    /// The half space whose plane lies farther outside, by a number of lengths of the normal.
+    #[must_use]
+    pub fn widened(self, by: f64) -> Self {
+        Self { offset: self.offset + by, ..self }
+    }
+
+    /// The other side of the plane.
+    #[must_use]
+    pub fn flipped(self) -> Self {
+        Self { normal: self.normal.map(|c| -c), offset: -self.offset }
+    }
 }
 
 /// The part of a convex polygon, whose positions are in world space, inside all half spaces, in the
@@ -54,6 +66,16 @@ pub(super) fn clip_by<const N: usize>(
     sides.iter().fold(polygon.to_vec(), |polygon, side| {
         clip_where(&polygon, |vertex| side.depth(vertex.position), |_| {})
     })
+}
+
+/// The part of a ring of corners inside all half spaces, in the same winding. Parts of one that is
+/// not convex are joined by lines along the planes, there and back. Rings that share an edge share
+/// the new corners on it, bit for bit.
+#[must_use]
+pub fn clip_ring(ring: &[[f64; 3]], sides: &[HalfSpace]) -> Vec<[f64; 3]> {
+    let vertex = |&position: &[f64; 3]| ViewVertex { position, varyings: [] };
+    let ring: Vec<_> = ring.iter().map(vertex).collect();
+    clip_by(&ring, sides).iter().map(|vertex| vertex.position).collect()
 }
 
 /// The part of a convex polygon on one side of the plane `z = plane`: towards +z for `side = 1`,

@@ -96,7 +96,7 @@ mod wrap;
 pub use blend::{Blend, Layer};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
-pub use clip::HalfSpace;
+pub use clip::{HalfSpace, clip_ring};
 pub use depth::DepthFormat;
 pub use display::{Display, Steps, luma};
 pub use fog::{Fog, fogged};

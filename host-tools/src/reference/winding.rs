@@ -117,6 +117,13 @@ impl Pixels {
         }
     }
 
+    /// Adds those that outlines in the same picture enclose.
+    pub fn add_enclosed(&mut self, outlines: &Winding) {
+        for (mark, number) in self.marks.iter_mut().zip(outlines.numbers()) {
+            *mark |= number != 0;
+        }
+    }
+
     /// Adds all pixels.
     pub fn add_all(&mut self) {
         self.marks.fill(true);

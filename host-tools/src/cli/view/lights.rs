@@ -3,6 +3,8 @@
 use clap::Args;
 use host_tools::check::{Lamp, MOST_LIGHTS, Sun, View, ViewLights};
 
+use super::names::numbers;
+
 #[derive(Clone, Debug, Args)]
 pub(super) struct LightOptions {
     /// A distant light: the direction towards it, and its level [default: 0.8]; up to 4 of them, in
@@ -43,12 +45,6 @@ impl LightOptions {
         }
         Ok(())
     }
-}
-
-/// Numbers with commas between them.
-fn numbers(text: &str) -> Option<Vec<f64>> {
-    let number = |word: &str| word.trim().parse().ok().filter(|n: &f64| n.abs() <= 32_000.0);
-    text.split(',').map(number).collect()
 }
 
 /// A direction and a level, as in -1,2,3,0.5.

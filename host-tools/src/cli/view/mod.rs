@@ -6,6 +6,7 @@ mod display;
 mod fog;
 mod lights;
 mod names;
+mod planes;
 mod settings;
 mod surface;
 #[cfg(test)]
@@ -19,7 +20,7 @@ use host_tools::{
 
 use self::{
     blending::BlendingOptions, camera::CameraOptions, display::DisplayOptions, fog::FogOptions,
-    lights::LightOptions, surface::SurfaceOptions,
+    lights::LightOptions, planes::PlaneOptions, surface::SurfaceOptions,
 };
 pub(super) use self::{
     display::MAX_SIZE,
@@ -42,6 +43,8 @@ pub(super) struct ViewOptions {
     fog: FogOptions,
     #[command(flatten)]
     camera: CameraOptions,
+    #[command(flatten)]
+    planes: PlaneOptions,
     #[command(flatten)]
     lights: LightOptions,
     #[command(flatten)]
@@ -67,12 +70,14 @@ impl ViewOptions {
         let view = self.display.over(View::default());
         let view = self.surface.over(view, otherwise);
         let view = self.blending.over(view);
-        self.lights.over(self.camera.over(self.fog.over(view)))
+        let view = self.planes.over(self.fog.over(view));
+        self.lights.over(self.camera.over(view))
     }
 
-    /// Refuses more lights than a view has.
+    /// Refuses more lights and planes than a view has.
     pub(super) fn check(&self) -> anyhow::Result<()> {
-        self.lights.check()
+        self.lights.check()?;
+        self.planes.check()
     }
 
     /// The conversion of the model for it.

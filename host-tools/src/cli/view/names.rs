@@ -27,3 +27,9 @@ pub(in crate::cli) fn within(
         number.ok_or_else(|| format!("it must be a number from {least} to {most}"))
     }
 }
+
+/// Numbers up to 32,000 with commas between them.
+pub(super) fn numbers(text: &str) -> Option<Vec<f64>> {
+    let number = |word: &str| word.trim().parse().ok().filter(|n: &f64| n.abs() <= 32_000.0);
+    text.split(',').map(number).collect()
+}

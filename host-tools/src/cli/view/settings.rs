@@ -2,11 +2,11 @@
 
 use host_tools::{
     check::{
-        Blending, Colors, Correction, DepthFormat, Filter, FogBy, Lamp, Projection, Shading, Sun,
-        View,
+        Blending, Colors, Correction, DepthFormat, Filter, FogBy, Lamp, PlaneSpace, Projection,
+        Shading, Sun, View,
     },
     model::Model,
-    reference::Blend,
+    reference::{Blend, HalfSpace},
 };
 use serde::Serialize;
 
@@ -33,6 +33,10 @@ pub(in crate::cli) struct Settings {
     fog: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fog_by: Option<&'static str>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    clip: Vec<[f64; 4]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clip_in: Option<&'static str>,
     distance: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
@@ -54,6 +58,9 @@ impl Settings {
             }
             Projection::Orthographic { height } => (None, Some(height)),
         };
+        let clip: Vec<_> = (view.planes.sides.iter().flatten())
+            .map(|&HalfSpace { normal: [x, y, z], offset }| [x, y, z, offset])
+            .collect();
         Self {
             size: view.size,
             subpixel: view.subpixel.bits(),
@@ -73,6 +80,8 @@ impl Settings {
             opacity: view.opacity,
             fog: view.fog.map(|fog| law(fog.law)),
             fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
+            clip_in: (!clip.is_empty()).then(|| name(&PlaneSpace::NAMES, view.planes.space)),
+            clip,
             distance: view.distance,
             fov,
             height,
@@ -104,12 +113,16 @@ impl Settings {
             (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
             _ => String::new(),
         };
+        let planes = match (self.clip.len(), self.clip_in) {
+            (count, Some(space)) => format!(", {count} clip planes of the {space}"),
+            _ => String::new(),
+        };
         let dither =
             self.dither.map_or_else(String::new, |rows| format!(" dithered {rows}x{rows}"));
         let colors =
             self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}{colors}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}{planes}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }

@@ -4,9 +4,9 @@ use clap::Parser;
 use host_tools::{
     check::{
         BACKGROUND, Blending, Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Lamp,
-        Matrix, Projection, Subpixel, Sun, ViewLights,
+        Matrix, PlaneSpace, Projection, Subpixel, Sun, ViewLights, ViewPlanes,
     },
-    reference::{self, Blend},
+    reference::{self, Blend, HalfSpace},
 };
 
 use super::*;
@@ -33,7 +33,7 @@ fn no_options_give_the_library_s_defaults() {
 fn every_option_arrives() {
     let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
                 every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
-                --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --colors gray2 --dither 4";
+                --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --colors gray2 --dither 4 --clip 0,-1,0.5,0.25 --clip -3,0,0,-1 --clip-in world";
     let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
     let expected = View {
         size: [7, 9],
@@ -67,6 +67,17 @@ fn every_option_arrives() {
             by: FogBy::Vertex,
             color: BACKGROUND,
         }),
+        planes: ViewPlanes {
+            sides: [
+                Some(HalfSpace { normal: [0.0, -1.0, 0.5], offset: 0.25 }),
+                Some(HalfSpace { normal: [-3.0, 0.0, 0.0], offset: -1.0 }),
+                None,
+                None,
+                None,
+                None,
+            ],
+            space: PlaneSpace::World,
+        },
     };
     assert_eq!(options.view(Shading::Unlit), expected);
     let conversion = options.conversion();
@@ -102,6 +113,8 @@ fn silly_values_are_refused_by_name() {
             &["", "exp", "exp:", "exp:-1", "exp:nan", "linear:1", "linear:2:2", "linear:3:1", "3"],
         ),
         ("--fog-by", &["pixel", "face"]),
+        ("--clip", &["", "1,0,0", "0,0,0,1", "1,0,0,1,1", "nan,0,1,0", "1e9,0,0,0", "1,0,0,1e9"]),
+        ("--clip-in", &["view", "model"]),
     ] {
         for value in values {
             let error = parse(&[&format!("{option}={value}")]).unwrap_err();
@@ -109,5 +122,14 @@ fn silly_values_are_refused_by_name() {
         }
     }
     assert!(parse(&["--fov=30", "--orthographic=2"]).is_err());
+    assert!(parse(&["--clip-in=world"]).is_err(), "there are no planes");
     assert!(parse(&["--dither=8"]).is_err(), "colours to dither to are missing");
+}
+
+#[test]
+fn more_planes_than_six_are_refused() {
+    let of = |count: usize| parse(&vec!["--clip=1,0,0,0"; count]).unwrap().check();
+    assert!(of(6).is_ok());
+    let error = of(7).unwrap_err().to_string();
+    assert!(error.contains("--clip is given 7 times") && error.contains("6"), "{error}");
 }
