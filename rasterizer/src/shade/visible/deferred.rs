@@ -18,7 +18,8 @@ use crate::{
 /// The object is drawn twice: by [`Visibility`](super::Visibility) with depth, with all that may
 /// hide it, and then by this, which needs no depth. The coordinates in the triangles are not
 /// needed. It pays where shading a pixel costs more than drawing it twice, times the layers that
-/// are hidden: with [`Phong`](crate::shade::Phong) and lamps. Pixels that the shader itself discards still hide what is behind them.
+/// are hidden: with [`Phong`](crate::shade::Phong) and lamps. Pixels that the shader itself
+/// discards still hide what is behind them.
 ///
 /// ```
 /// # use embedded_graphics_core::{pixelcolor::Rgb565, primitives::Rectangle};

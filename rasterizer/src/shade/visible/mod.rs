@@ -79,8 +79,8 @@ impl<M> Visibility<M> {
         Visibility { object: self.object, mode: PhantomData }
     }
 
-    /// Without coordinates: draws [`VisibleTriangle`]s, of half the size, as fast as [`Unlit`] draws
-    /// colours.
+    /// Without coordinates: draws [`VisibleTriangle`]s, of half the size, as fast as [`Unlit`]
+    /// draws colours.
     ///
     /// [`Unlit`]: super::Unlit
     #[must_use]
