@@ -135,62 +135,91 @@ fn certain(
         .collect()
 }
 
-fn agrees<const N: usize>(random: &mut Random, name: &str, surface: &Surface) -> usize {
-    let mesh = surface.mesh();
-    let turn = rotation(random);
-    let pose = Pose::rotated(turn).at(vector(random, 0.3)).scaled(Distance::lit("0.75"));
-    let way = rotation(random);
-    // From 0.2 to 3 units away, in the direction in which the camera looks past the body.
-    let back = [0.0, 0.0, 0.2 + f64::from(random.bits() as u8) / 90.0];
-    let back = product(&way, back).map(Scalar::from_num);
-    let eye = Vec3::new(back[0], back[1], back[2]);
-    let is_in_world = random.bits().is_multiple_of(2);
-    let planes: [Plane; N] = [(); N].map(|()| Plane::new(vector(random, 4.0), scalar(random, 1.5)));
-    let scale = f64::from(surface.scale.mantissa()) * 2f64.powi(surface.scale.exponent());
-    let model: Vec<[f64; 3]> = (0..mesh.vertex_count())
-        .map_while(|i| mesh.tables().positions.get(i))
-        .map(|p| p.map(|c| f64::from(c) * scale))
-        .collect();
-    let t = numbers(pose.translation);
-    let world: Vec<_> = model
-        .iter()
-        .map(|p| {
-            let turned = product(&turn, p.map(|c| c * 0.75));
-            [0, 1, 2].map(|i| turned[i] + t[i])
-        })
-        .collect();
-    // A plane of the object, in the world: n . p / s for R p + t.
-    let sides = planes.map(|plane| {
-        let HalfSpace { normal, offset } = half_space(plane);
-        if is_in_world {
-            return HalfSpace { normal, offset };
-        }
-        let normal = product(&turn, normal).map(|c| c / 0.75);
-        HalfSpace { normal, offset: offset - (0..3).map(|i| normal[i] * t[i]).sum::<f64>() }
-    });
-    let triangles: Vec<_> =
-        (0..mesh.triangle_count()).map_while(|i| mesh.tables().triangles.get(i)).collect();
-    let certain = certain(&world, &triangles, (eye, &way), &sides);
-    let clipping =
-        if is_in_world { ClipPlanes::in_world(planes) } else { ClipPlanes::in_object(planes) };
-    let camera = camera(eye, way);
-    for (precision, net) in [
-        ("S4", net::<S4>(&mesh, pose, &camera, clipping)),
-        ("S8", net::<S8>(&mesh, pose, &camera, clipping)),
-    ] {
-        for (index, (net, certain)) in net.iter().zip(&certain).enumerate() {
-            if let Some(certain) = certain {
-                assert_eq!(
-                    net,
-                    certain,
-                    "{name} {precision}: ({}, {}), {planes:?}, in the world: {is_in_world}",
-                    index % 96,
-                    index / 96
-                );
+/// A body in its pose, and where it is seen from.
+struct Seen<'a> {
+    name: &'a str,
+    surface: &'a Surface,
+    turn: Rotation,
+    place: Vec3,
+    /// The camera's.
+    eye: Vec3,
+    way: Rotation,
+}
+
+impl Seen<'_> {
+    /// Compares with the reference, and returns how many pixels are covered.
+    fn agrees<const N: usize>(&self, planes: [Plane; N], is_in_world: bool) -> usize {
+        let Self { name, surface, turn, place, eye, way } = self;
+        let mesh = surface.mesh();
+        let pose = Pose::rotated(*turn).at(*place).scaled(Distance::lit("0.75"));
+        let scale = f64::from(surface.scale.mantissa()) * 2f64.powi(surface.scale.exponent());
+        let model: Vec<[f64; 3]> = (0..mesh.vertex_count())
+            .map_while(|i| mesh.tables().positions.get(i))
+            .map(|p| p.map(|c| f64::from(c) * scale))
+            .collect();
+        let t = numbers(pose.translation);
+        let world: Vec<_> = model
+            .iter()
+            .map(|p| {
+                let turned = product(turn, p.map(|c| c * 0.75));
+                [0, 1, 2].map(|i| turned[i] + t[i])
+            })
+            .collect();
+        // A plane of the object, in the world: n . p / s for R p + t.
+        let sides = planes.map(|plane| {
+            let HalfSpace { normal, offset } = half_space(plane);
+            if is_in_world {
+                return HalfSpace { normal, offset };
+            }
+            let normal = product(turn, normal).map(|c| c / 0.75);
+            HalfSpace { normal, offset: offset - (0..3).map(|i| normal[i] * t[i]).sum::<f64>() }
+        });
+        let triangles: Vec<_> =
+            (0..mesh.triangle_count()).map_while(|i| mesh.tables().triangles.get(i)).collect();
+        let certain = certain(&world, &triangles, (*eye, way), &sides);
+        let clipping =
+            if is_in_world { ClipPlanes::in_world(planes) } else { ClipPlanes::in_object(planes) };
+        let camera = camera(*eye, *way);
+        for (precision, net) in [
+            ("S4", net::<S4>(&mesh, pose, &camera, clipping)),
+            ("S8", net::<S8>(&mesh, pose, &camera, clipping)),
+        ] {
+            for (index, (net, certain)) in net.iter().zip(&certain).enumerate() {
+                if let Some(certain) = certain {
+                    assert_eq!(
+                        net,
+                        certain,
+                        "{name} {precision}: ({}, {}), {planes:?}, in the world: {is_in_world}",
+                        index % 96,
+                        index / 96
+                    );
+                }
             }
         }
+        certain.iter().flatten().filter(|&&layers| layers != 0).count()
     }
-    certain.iter().flatten().filter(|&&layers| layers != 0).count()
+}
+
+/// From 0.2 to 3 units away, in the direction in which the camera looks past the body.
+fn eye(random: &mut Random, way: &Rotation) -> Vec3 {
+    let back = [0.0, 0.0, 0.2 + f64::from(random.bits() as u8) / 90.0];
+    let [x, y, z] = product(way, back).map(Scalar::from_num);
+    Vec3::new(x, y, z)
+}
+
+fn agrees<const N: usize>(random: &mut Random, name: &str, surface: &Surface) -> usize {
+    let (turn, place) = (rotation(random), vector(random, 0.3));
+    let way = rotation(random);
+    let seen = Seen { name, surface, turn, place, eye: eye(random, &way), way };
+    let is_in_world = random.bits().is_multiple_of(2);
+    // Of many planes each leaves the body's middle, or little would be left.
+    let least = if N > 3 { 0.3 } else { -1.5 };
+    let offset = |random: &mut Random| {
+        let offset = scalar(random, 1.5);
+        if offset < Scalar::from_num(least) { -offset } else { offset }
+    };
+    let planes: [Plane; N] = [(); N].map(|()| Plane::new(vector(random, 4.0), offset(random)));
+    seen.agrees(planes, is_in_world)
 }
 
 /// Bodies before the camera and round it, so that the near plane and the guard band cut them too.
@@ -207,9 +236,47 @@ fn what_is_left_is_what_the_reference_leaves() {
             covered += agrees::<1>(&mut random, name, &surface);
             covered += agrees::<2>(&mut random, name, &surface);
             covered += agrees::<3>(&mut random, name, &surface);
+            covered += agrees::<6>(&mut random, name, &surface);
         }
     }
     assert!(covered > 100_000, "{covered}");
+}
+
+/// A plane in a face of a cube keeps the face, on either side of it. One that meets it in a narrow
+/// angle cuts it, and its neighbours by less than a sub-pixel. Positions and planes are exact.
+#[test]
+fn planes_in_faces_and_beside_them_are_exact() {
+    let (cube, fine) = (Surface::cube(16_384, 1).scaled(-14), Surface::cube(16_384, 6).scaled(-14));
+    let mut random = Random::new(46);
+    let (mut in_face, mut beside) = (0, 0);
+    for (name, surface) in [("cube", &cube), ("fine cube", &fine)] {
+        for _ in 0..12 {
+            let way = rotation(&mut random);
+            let eye = eye(&mut random, &way);
+            let (turn, place) = (Rotation::IDENTITY, Vec3::ZERO);
+            let seen = Seen { name, surface, turn, place, eye, way };
+            // The faces lie at 1 in the object, and at 0.75 in the world.
+            for (is_in_world, at) in [(true, "0.75"), (false, "1")] {
+                let at: Scalar = at.parse().unwrap();
+                for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+                    let plane = Plane::new(-axis, at);
+                    in_face += seen.agrees([plane], is_in_world);
+                    in_face += seen.agrees([plane.flipped()], is_in_world);
+                    in_face += seen.agrees([plane, Plane::new(axis, at)], is_in_world);
+                }
+                // The angle is a 4,000th, and a 60th of that.
+                let thousands = Scalar::from_num(4_000) * at;
+                for aside in ["1", "0.016"] {
+                    let [aside, half] = [aside, "-0.5"].map(|text| text.parse::<Scalar>().unwrap());
+                    let normal = Vec3::new(-Scalar::from_num(4_000), aside, half * aside);
+                    let plane = Plane::new(normal, thousands);
+                    beside += seen.agrees([plane], is_in_world);
+                    beside += seen.agrees([plane.flipped()], is_in_world);
+                }
+            }
+        }
+    }
+    assert!(in_face > 100_000 && beside > 50_000, "{in_face} {beside}");
 }
 
 /// From inside a body each ray leaves it once, through one of the parts on both sides of a plane.
@@ -307,15 +374,12 @@ fn varyings_are_those_of_the_part_that_is_kept() {
     assert!(seen > 50_000, "{seen}");
 }
 
-/// Bands, bins and vertices on demand: in every clipping case.
-#[test]
-fn every_way_of_drawing_draws_the_same() {
+type Target<'a> = Frame<'a, Rgb888, &'a mut [u16]>;
+
+/// Whole, in bands, with bins and with vertices on demand.
+fn every_way<const N: usize>(planes: [Plane; N]) {
     let ball = ball();
     let mesh = ball.mesh();
-    let planes = [
-        Plane::new(Vec3::lit("1", "0.3", "0"), Scalar::lit("0.1")),
-        Plane::new(Vec3::lit("0", "-1", "0.5"), Scalar::lit("0.4")),
-    ];
     for eye in EYES {
         let camera = at(eye, DISPLAY);
         let object =
@@ -331,20 +395,55 @@ fn every_way_of_drawing_draws_the_same() {
         let drawn = whole.crop(bounds, BACKGROUND).depth;
         let drawn = drawn.iter().filter(|&&depth| depth != 0).count();
         let all = whole.depth.iter().filter(|&&depth| depth != 0).count();
-        assert!(drawn == all && all > 200, "{drawn} of {all} pixels within the bounds, {eye}");
+        assert!(drawn == all && all > 200, "{drawn} of {all} pixels within the bounds, {eye} {N}");
+        let mut again = Picture::<Rgb888, u16>::empty(DISPLAY, BACKGROUND);
+        let mut frame = Frame::new(&mut again.color, &mut again.depth, DISPLAY).unwrap();
+        let Ok(()) = demanded.draw(&mut frame);
+        assert!(again == whole, "on demand, whole, from {eye} {N}");
         let binned = seen.binned(5, &mut bins).unwrap();
         for area in BandAreas::new(DISPLAY, 5) {
             let want = whole.crop(area, BACKGROUND);
-            let mut band = Picture::<Rgb888, u16>::empty(area, BACKGROUND);
-            let mut frame = Frame::new(&mut band.color, &mut band.depth, area).unwrap();
-            let Ok(()) = binned.draw(&mut frame);
-            assert!(band == want, "bins, {area:?} from {eye}");
-            let mut band = Picture::<Rgb888, u16>::empty(area, BACKGROUND);
-            let mut frame = Frame::new(&mut band.color, &mut band.depth, area).unwrap();
-            let Ok(()) = demanded.draw(&mut frame);
-            assert!(band == want, "on demand, {area:?} from {eye}");
+            let band = |draw: &dyn Fn(&mut Target<'_>)| {
+                let mut band = Picture::<Rgb888, u16>::empty(area, BACKGROUND);
+                draw(&mut Frame::new(&mut band.color, &mut band.depth, area).unwrap());
+                band
+            };
+            let stored = band(&|frame| {
+                let Ok(()) = seen.draw(frame);
+            });
+            let in_bins = band(&|frame| {
+                let Ok(()) = binned.draw(frame);
+            });
+            let on_demand = band(&|frame| {
+                let Ok(()) = demanded.draw(frame);
+            });
+            for (way, band) in [("stored", stored), ("bins", in_bins), ("on demand", on_demand)] {
+                assert!(band == want, "{way}, {area:?} from {eye} {N}");
+            }
         }
     }
+}
+
+/// In every clipping case, with one plane, with two and with the most.
+#[test]
+fn every_way_of_drawing_draws_the_same() {
+    let plane = |[x, y, z]: [&str; 3], offset: &str| {
+        let [x, y, z, offset] = [x, y, z, offset].map(|text| text.parse::<Scalar>().unwrap());
+        Plane::new(Vec3::new(x, y, z), offset)
+    };
+    let one = plane(["1", "0.3", "0"], "0.1");
+    let other = plane(["0", "-1", "0.5"], "0.4");
+    every_way([one]);
+    every_way([one, other]);
+    // A box in the ball.
+    every_way([
+        plane(["1", "0.3", "0"], "0.8"),
+        plane(["0", "-1", "0.2"], "0.75"),
+        plane(["0.2", "1", "0.1"], "0.75"),
+        plane(["-1", "0.1", "0.3"], "0.8"),
+        plane(["-0.1", "0.2", "1"], "0.8"),
+        plane(["0.3", "0.1", "-1"], "0.8"),
+    ]);
 }
 
 /// The parts of a line on both sides of a plane share at most the pixel of their joint, where the
