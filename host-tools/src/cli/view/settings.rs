@@ -114,7 +114,7 @@ impl Settings {
             _ => String::new(),
         };
         let planes = match (self.clip.len(), self.clip_in) {
-            (count, Some(space)) => format!(", {count} clip planes of the {space}"),
+            (count, Some(space)) => format!(", clip planes: {count} of the {space}"),
             _ => String::new(),
         };
         let dither =
