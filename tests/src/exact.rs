@@ -4,7 +4,7 @@
 use rasterizer::{
     camera::{Camera, Orthographic, Perspective},
     geometry::Projection,
-    numbers::{Subpixel, Vec3},
+    numbers::{Rotation, Scale, Subpixel, Vec3},
 };
 
 use crate::{Scene, ends::Stage};
@@ -52,31 +52,45 @@ impl Lens {
 
 type Vector = [f64; 3];
 
+/// The coordinates of a vector.
+#[must_use]
+pub fn numbers(v: Vec3) -> Vector {
+    v.to_bits().map(|c| f64::from(c) / 65_536.0)
+}
+
+/// A mesh's quantum in its own units.
+#[must_use]
+pub fn quantum(scale: Scale) -> f64 {
+    f64::from(scale.mantissa()) * 2f64.powi(scale.exponent())
+}
+
+/// A vector turned by the entries of a rotation.
+#[must_use]
+pub fn rotated(rotation: &Rotation, v: Vector) -> Vector {
+    let rows = rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
+    rows.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+}
+
 /// A row of the matrix from quanta to clip space, and its translation.
 type Row = (Vector, f64);
 
 /// The matrix's rows: right, down and away, the first two in guard bands at w = 1.
 fn matrix(stage: &Stage, lens: &Lens) -> [Row; 3] {
-    let [turn, view] = [stage.pose.rotation, stage.rotation.inverse()]
-        .map(|rotation| rotation.rows().map(|row| row.map(|c| c.to_num::<f64>())));
-    let apply =
-        |m: &[Vector; 3], v: Vector| m.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2]);
-    let vector = |v: Vec3| v.to_bits().map(|c| f64::from(c) / 65_536.0);
+    let (turn, view) = (stage.pose.rotation, stage.rotation.inverse());
     let scale: f64 = stage.pose.scale.to_num();
-    let quantum =
-        f64::from(stage.surface.scale.mantissa()) * 2f64.powi(stage.surface.scale.exponent());
+    let quantum = quantum(stage.surface.scale);
     let to_view = |v: Vector| {
-        let [x, y, z] = apply(&view, v);
+        let [x, y, z] = rotated(&view, v);
         [x * lens.magnification / GUARD, -y * lens.magnification / GUARD, -z]
     };
     let column = |axis: usize| {
         let mut unit = [0.0; 3];
         unit[axis] = scale * quantum;
-        to_view(apply(&turn, unit))
+        to_view(rotated(&turn, unit))
     };
     let columns = [0, 1, 2].map(column);
-    let (translation, eye) = (vector(stage.pose.translation), vector(stage.eye));
-    let offset = apply(&turn, vector(stage.surface.offset).map(|c| c * scale));
+    let (translation, eye) = (numbers(stage.pose.translation), numbers(stage.eye));
+    let offset = rotated(&turn, numbers(stage.surface.offset).map(|c| c * scale));
     let from_eye = [0, 1, 2].map(|i| offset[i] + translation[i] - eye[i]);
     let origin = to_view(from_eye);
     [0, 1, 2].map(|row| (columns.map(|column| column[row]), origin[row]))

@@ -23,6 +23,7 @@ use rasterizer::{
 use rasterizer_tests::{
     Counter, Picture, Random, Surface, area,
     bands::{BACKGROUND, DISPLAY, EYES, Position, at, ball},
+    exact::{numbers, quantum, rotated},
 };
 
 const VIEWPORT: Rectangle = area(0, 0, 96, 72);
@@ -74,17 +75,8 @@ fn net<S: Subpixel>(
     front.iter().zip(back).map(|(&front, back)| front as i32 - back as i32).collect()
 }
 
-fn numbers(v: Vec3) -> [f64; 3] {
-    v.to_bits().map(|c| f64::from(c) / 65_536.0)
-}
-
 fn half_space(plane: Plane) -> HalfSpace {
     HalfSpace { normal: numbers(plane.normal), offset: plane.offset.to_num() }
-}
-
-fn product(rotation: &Rotation, v: [f64; 3]) -> [f64; 3] {
-    let rows = rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
-    rows.map(|row| (0..3).map(|i| row[i] * v[i]).sum())
 }
 
 /// The net number of layers by the reference, where it is the same with the picture moved by a 16th
@@ -96,7 +88,7 @@ fn certain(
     sides: &[HalfSpace],
 ) -> Vec<Option<i32>> {
     let eye = numbers(eye);
-    let [forward, up] = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]].map(|v| product(rotation, v));
+    let [forward, up] = [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0]].map(|v| rotated(rotation, v));
     let mesh = reference::Mesh { positions: positions.to_vec(), triangles: triangles.to_vec() };
     let net = |x: f64, y: f64| -> Vec<i32> {
         let camera = reference::Camera {
@@ -152,7 +144,7 @@ impl Seen<'_> {
         let Self { name, surface, turn, place, eye, way } = self;
         let mesh = surface.mesh();
         let pose = Pose::rotated(*turn).at(*place).scaled(Distance::lit("0.75"));
-        let scale = f64::from(surface.scale.mantissa()) * 2f64.powi(surface.scale.exponent());
+        let scale = quantum(surface.scale);
         let model: Vec<[f64; 3]> = (0..mesh.vertex_count())
             .map_while(|i| mesh.tables().positions.get(i))
             .map(|p| p.map(|c| f64::from(c) * scale))
@@ -161,7 +153,7 @@ impl Seen<'_> {
         let world: Vec<_> = model
             .iter()
             .map(|p| {
-                let turned = product(turn, p.map(|c| c * 0.75));
+                let turned = rotated(turn, p.map(|c| c * 0.75));
                 [0, 1, 2].map(|i| turned[i] + t[i])
             })
             .collect();
@@ -171,7 +163,7 @@ impl Seen<'_> {
             if is_in_world {
                 return HalfSpace { normal, offset };
             }
-            let normal = product(turn, normal).map(|c| c / 0.75);
+            let normal = rotated(turn, normal).map(|c| c / 0.75);
             HalfSpace { normal, offset: offset - (0..3).map(|i| normal[i] * t[i]).sum::<f64>() }
         });
         let triangles: Vec<_> =
@@ -203,7 +195,7 @@ impl Seen<'_> {
 /// From 0.2 to 3 units away, in the direction in which the camera looks past the body.
 fn eye(random: &mut Random, way: &Rotation) -> Vec3 {
     let back = [0.0, 0.0, 0.2 + f64::from(random.bits() as u8) / 90.0];
-    let [x, y, z] = product(way, back).map(Scalar::from_num);
+    let [x, y, z] = rotated(way, back).map(Scalar::from_num);
     Vec3::new(x, y, z)
 }
 

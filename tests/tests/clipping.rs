@@ -7,7 +7,11 @@ use rasterizer::{
     geometry::{CullBack, CullFront, Pose},
     numbers::{Rotation, S4, S8, Scale, Subpixel, Turn, Vec3},
 };
-use rasterizer_tests::{Random, Scene, Surface, area, pixel_camera};
+use rasterizer_tests::{
+    Random, Scene, Surface, area,
+    exact::{numbers, rotated},
+    pixel_camera,
+};
 
 const VIEWPORT: Rectangle = area(0, 0, 160, 120);
 const FOCAL: f64 = 100.0;
@@ -39,8 +43,7 @@ fn ray(viewport: Rectangle, x: f64, y: f64) -> [f64; 3] {
 
 /// A ray of view space in world space.
 fn turn(rotation: &Rotation, [right, up, away]: [f64; 3]) -> [f64; 3] {
-    let rows = rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
-    rows.map(|row| row[0] * right + row[1] * up - row[2] * away)
+    rotated(rotation, [right, up, -away])
 }
 
 /// The net number of layers over each pixel where it is certain. `layers` returns the number for
@@ -118,7 +121,7 @@ fn ground_is_covered_once_up_to_the_horizon() {
             ] {
                 let rotation = turned(degrees);
                 let eye = Vec3::lit("12.5", height, "-7");
-                let [x, y, z] = eye.to_bits().map(|c| f64::from(c) / 65_536.0);
+                let [x, y, z] = numbers(eye);
                 let near_distance: f64 = near.parse().unwrap();
                 let certain = certain(VIEWPORT, |px, py| {
                     let way = turn(&rotation, ray(VIEWPORT, px, py));

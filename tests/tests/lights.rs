@@ -24,7 +24,10 @@ use rasterizer::{
     scene::Object,
     shade::{Lamp, Level, Light, Lighting, OnScreen, Phong, PhongCorrection, Shader, ViewedFrom},
 };
-use rasterizer_tests::Random;
+use rasterizer_tests::{
+    Random,
+    exact::{numbers, quantum, rotated},
+};
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(96, 80));
 
@@ -240,10 +243,6 @@ impl Corner for [i16; 6] {
     }
 }
 
-fn f64s(v: Vec3) -> V {
-    v.to_bits().map(|c| f64::from(c) / 65_536.0)
-}
-
 /// Draws a body and compares. Returns the largest part of its bound that a pixel is off, and the
 /// pixels with a highlight.
 fn compare<L, W, P, K>(
@@ -265,19 +264,18 @@ where
         rasterizer::attribute::Varyings<OnScreen = <PhongCorrection as Correction>::OnScreen<K>>,
 {
     let mesh = body.mesh();
-    let rows = pose.rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
-    let turned = |v: V| rows.map(|row| dot(row, v));
-    let scale = f64::from(body.scale.mantissa()) * 2f64.powi(body.scale.exponent());
+    let turned = |v: V| rotated(&pose.rotation, v);
+    let scale = quantum(body.scale);
     let world = |quanta: V| {
-        let offset = f64s(body.offset);
+        let offset = numbers(body.offset);
         let model = [0, 1, 2].map(|i| offset[i] + scale * quanta[i]);
         let turned = turned(model.map(|c| c * pose.scale.to_num::<f64>()));
-        let translation = f64s(pose.translation);
+        let translation = numbers(pose.translation);
         [0, 1, 2].map(|i| turned[i] + translation[i])
     };
     let view = ObjectView::new(&mesh, &pose, camera);
     let viewer = match view.viewer() {
-        rasterizer::geometry::Viewer::At(eye) => Viewer::At(f64s(eye)),
+        rasterizer::geometry::Viewer::At(eye) => Viewer::At(numbers(eye)),
         rasterizer::geometry::Viewer::Toward(toward) => {
             Viewer::Toward(toward.map(|c| f64::from(c) / 2f64.powi(30)))
         }
@@ -356,7 +354,7 @@ const SUN: Light = Light::new(Vec3::lit("1", "2", "2"), Level::lit("0.125"), Lev
 fn lights(lamp: Option<&Lamp>) -> Lights {
     let sun = Sun { toward: [1.0 / 3.0, 2.0 / 3.0, 2.0 / 3.0], level: 0.5 };
     let lamps = lamp.map(|lamp| reference::Lamp {
-        position: f64s(lamp.position()),
+        position: numbers(lamp.position()),
         half: lamp.half().to_num(),
         level: lamp.level().to_num(),
     });
@@ -375,9 +373,9 @@ fn colours_of_pixels_are_those_of_the_definition() {
             let pose = Pose::rotated(turned).at(Vec3::lit("0.5", "-0.25", "0")).scaled(scale);
             // Where the middle of the body is.
             let middle = {
-                let offset = f64s(body.offset).map(|c| c * scale.to_num::<f64>());
+                let offset = numbers(body.offset).map(|c| c * scale.to_num::<f64>());
                 let rows = turned.rows().map(|row| row.map(|c| c.to_num::<f64>()));
-                let at = f64s(pose.translation);
+                let at = numbers(pose.translation);
                 [0, 1, 2].map(|i| dot(rows[i], offset) + at[i])
             };
             let size = radius * scale.to_num::<f64>();

@@ -16,23 +16,19 @@ use rasterizer::{
     color::Alpha,
     geometry::{CullNone, Pose, ScreenVertex},
     mesh::{Mesh, Tables},
-    numbers::{Rotation, S4, S8, Scalar, Scale, Subpixel, Turn, Vec3},
+    numbers::{Rotation, S4, S8, Scalar, Subpixel, Turn, Vec3},
     output::{Direct, Frame, Over},
     scene::{Object, Painter, ProjectError},
-    shade::{Gouraud, Unlit, Visibility, VisiblePixel},
+    shade::{Gouraud, Unlit, Visibility, VisibleTriangle},
 };
 use rasterizer_tests::{
     Surface,
     bands::{
         BACKGROUND, DISPLAY, EYES, MATERIALS, Position, ROWS, Screen, at, ball, light, picture,
     },
+    exact::quantum,
     other_models, shipped_models,
 };
-
-/// A mesh's quantum in its own units.
-fn quantum_of(scale: Scale) -> f64 {
-    f64::from(scale.mantissa()) * f64::from(scale.exponent()).exp2()
-}
 
 /// Balls of very different sizes and scales, one behind the other and one in another.
 fn places() -> [(Surface, Pose); 3] {
@@ -82,7 +78,7 @@ fn the_order_of_all_objects_is_that_of_exact_distances() {
                     let p = tables.positions.get(corner).unwrap();
                     [0, 1, 2].map(|axis| sum[axis] + f64::from(p[axis]))
                 });
-                let quantum = quantum_of(tables.scale) * pose.scale.to_num::<f64>() / 3.0;
+                let quantum = quantum(tables.scale) * pose.scale.to_num::<f64>() / 3.0;
                 let rows = pose.rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
                 let place = [pose.translation.y, pose.translation.z].map(|c| c.to_num::<f64>());
                 let along = |axis: usize| {
@@ -184,7 +180,7 @@ fn worst_of_100_views(mesh: &Mesh<'_>) -> usize {
     const SIDES: [u32; 2] = [320, 240];
     let display = Rectangle::new(Point::zero(), Size::new(SIDES[0], SIDES[1]));
     let tables = mesh.tables();
-    let quantum = quantum_of(tables.scale);
+    let quantum = quantum(tables.scale);
     let positions: Vec<[f64; 3]> = (0..mesh.vertex_count())
         .map(|vertex| tables.positions.get(vertex).unwrap().map(|c| f64::from(c) * quantum))
         .collect();
@@ -203,7 +199,7 @@ fn worst_of_100_views(mesh: &Mesh<'_>) -> usize {
         let [x, y, z] = v.map(Scalar::from_num);
         Vec3::new(x, y, z)
     };
-    let object = Object::new(mesh, Visibility::of_object(0))
+    let object = Object::new(mesh, Visibility::of_object(0).without_weights())
         .posed(Pose::IDENTITY.at(vector(middle.map(|c| -c))));
     let mut storage = vec![0; mesh.triangle_count()];
     let pixels = (SIDES[0] * SIDES[1]) as usize;
@@ -216,21 +212,18 @@ fn worst_of_100_views(mesh: &Mesh<'_>) -> usize {
             let up = if z.abs() > 0.99 { Vec3::X } else { Vec3::Y };
             let eye = vector(back.map(|c| c * distance));
             let camera = Camera::look_at(eye, Vec3::ZERO, up, lens, display).unwrap();
-            let mut tested = vec![VisiblePixel::NONE; pixels];
+            let mut tested = vec![VisibleTriangle::NONE; pixels];
             let mut depth = vec![0u32; pixels];
             let by_depth = object.project_on_demand::<_, S4, u32>(&camera, S4).unwrap();
             by_depth.draw(&mut Frame::new(&mut tested, &mut depth, display).unwrap()).unwrap();
-            let mut painted = vec![VisiblePixel::NONE; pixels];
+            let mut painted = vec![VisibleTriangle::NONE; pixels];
             let sorted = object.project_on_demand::<_, S4, NoDepth>(&camera, S4).unwrap();
             let painter = Painter::new((&sorted,), &mut storage).unwrap();
             painter.draw(&mut Frame::without_depth(&mut painted, display).unwrap()).unwrap();
             let drawn = tested.iter().filter(|pixel| pixel.object().is_some()).count();
             // A flat one is seen from its edge too.
             assert!(drawn > 1_000, "{drawn} pixels in view {view}");
-            let is_other = |(a, b): &(&VisiblePixel, &VisiblePixel)| {
-                (a.object(), a.triangle()) != (b.object(), b.triangle())
-            };
-            tested.iter().zip(&painted).filter(is_other).count()
+            tested.iter().zip(&painted).filter(|(a, b)| a != b).count()
         })
         .max()
         .unwrap()

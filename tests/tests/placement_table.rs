@@ -16,7 +16,7 @@ use rasterizer::{
 use rasterizer_tests::{
     Placed, Random, Surface, area,
     ends::Stage,
-    exact::{Lens, judge},
+    exact::{Lens, judge, numbers, quantum},
 };
 
 const HEIGHT: u32 = 240;
@@ -64,9 +64,8 @@ fn worst<S: Subpixel>(case: &Case) -> Option<f64> {
             random.within(-i32::from(case.quanta), i32::from(case.quanta)) as i16
         };
         let target = [(); 3].map(|()| coordinate(&mut random));
-        let quantum = 1.0 / f64::from(case.quanta);
-        let scale = Scale::new((quantum * 2f64.powi(40)) as u32, -40);
-        let quantum = f64::from(scale.mantissa()) * 2f64.powi(scale.exponent());
+        let scale = Scale::new((2f64.powi(40) / f64::from(case.quanta)) as u32, -40);
+        let quantum = quantum(scale);
         let rows = turn.rows().map(|row| row.map(|c| c.to_num::<f64>()));
         let back = view.rows().map(|row| row[2].to_num::<f64>());
         let offset = [case.offset, -case.offset / 2.0, 0.0];
@@ -90,7 +89,7 @@ fn worst<S: Subpixel>(case: &Case) -> Option<f64> {
         let mut surface = Surface::new(positions, vec![[0, 1, 2]]);
         surface.scale = scale;
         surface.offset = bits(offset);
-        let offset = surface.offset.to_bits().map(|c| f64::from(c) / 65_536.0);
+        let offset = numbers(surface.offset);
         // The pose moves the object back by its offset.
         let moved = [0, 1, 2].map(|i| -(0..3).map(|k| rows[i][k] * offset[k]).sum::<f64>());
         let pose = Pose::rotated(turn).at(bits(moved));

@@ -18,6 +18,7 @@ use rasterizer::{
 use rasterizer_tests::{
     Surface,
     bands::{BACKGROUND, DISPLAY, Depth, ROWS, Screen, picture},
+    exact::{numbers, quantum, rotated},
 };
 
 type Vector = [f64; 3];
@@ -83,18 +84,13 @@ impl View {
     fn on_floor(&self, x: f64, y: f64) -> Option<Vector> {
         let middle = [DISPLAY.size.width, DISPLAY.size.height].map(|side| f64::from(side) / 2.0);
         let ray = [(x - middle[0]) / FOCAL, (middle[1] - y) / FOCAL, -1.0];
-        let rows = self.rotation().rows().map(|row| row.map(|c| c.to_num::<f64>()));
-        let direction = rows.map(|row| product(row, ray));
+        let direction = rotated(&self.rotation(), ray);
         let (eye, normal) = (numbers(self.eye), numbers(FLOOR.normal));
         let height = product(normal, eye) + FLOOR.offset.to_num::<f64>();
         let way = -height / product(normal, direction);
         // Along the view axis, from the near plane on.
         (way > 0.25).then(|| [0, 1, 2].map(|i| eye[i] + way * direction[i]))
     }
-}
-
-fn numbers(v: Vec3) -> Vector {
-    v.to_bits().map(|c| f64::from(c) / 65_536.0)
 }
 
 fn product(a: Vector, b: Vector) -> f64 {
@@ -118,12 +114,12 @@ fn meets(origin: Vector, direction: Vector, [a, b, c]: [Vector; 3]) -> bool {
 /// The mesh's triangles in the world.
 fn triangles(mesh: &Mesh<'_>, pose: Pose) -> Vec<[Vector; 3]> {
     let tables = mesh.tables();
-    let quantum = f64::from(tables.scale.mantissa()) * f64::from(tables.scale.exponent()).exp2();
-    let rows = pose.rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
-    let (place, size) = (numbers(pose.translation), pose.scale.to_num::<f64>() * quantum);
+    let (place, size) =
+        (numbers(pose.translation), pose.scale.to_num::<f64>() * quantum(tables.scale));
     let corner = |vertex| {
         let position = tables.positions.get(vertex).unwrap().map(f64::from);
-        [0, 1, 2].map(|i| product(rows[i], position) * size + place[i])
+        let turned = rotated(&pose.rotation, position);
+        [0, 1, 2].map(|i| turned[i] * size + place[i])
     };
     (0..mesh.triangle_count()).map(|i| tables.triangles.get(i).unwrap().map(corner)).collect()
 }

@@ -352,21 +352,25 @@ impl<'a> Outlines<'a> {
             let both = [plane.side, plane.side.flipped()];
             sides.extend(both.map(|side| side.widened(thickness)));
             let ring = clip_ring(&corners, &sides);
-            for (from, to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-                let piece = Piece { ends: [*from, *to], is_cut: true };
-                let [from, to] = piece.ends.map(|end| self.on_screen(end));
+            for side in sides_of(&ring) {
+                let piece = Piece { ends: side, is_cut: true };
+                let [from, to] = side.map(|end| self.on_screen(end));
                 close.add_close_to(from, to, self.placement.of_piece(&piece, deviation));
             }
-            let is_front = self.shows_front(face);
-            self.wind(&ring, if is_front { 1 } else { -1 }, layers);
+            self.wind(&ring, if self.shows_front(face) { 1 } else { -1 }, layers);
         }
     }
 
     /// Adds the outline of a ring of corners in view space.
     fn wind(&self, ring: &[[f64; 3]], times: i32, winding: &mut Winding) {
-        let place = |p: &[f64; 3]| self.on_screen(*p);
-        for (from, to) in ring.iter().zip(ring.iter().cycle().skip(1)) {
-            winding.add(place(from), place(to), times);
+        for side in sides_of(ring) {
+            let [from, to] = side.map(|end| self.on_screen(end));
+            winding.add(from, to, times);
         }
     }
+}
+
+/// The sides of a ring of corners, each from one to the next.
+fn sides_of(ring: &[[f64; 3]]) -> impl Iterator<Item = [[f64; 3]; 2]> {
+    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(&from, &to)| [from, to])
 }

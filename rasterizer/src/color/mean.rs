@@ -38,35 +38,10 @@ const SPREAD: u32 = 0x07E0_F81F;
 /// The least significant bits of the three.
 const ONES: u32 = 1 << 21 | 1 << 11 | 1;
 
-/// Colours of five, six and five bits: their sums are three in a word, in the places that the
-/// channels have.
-macro_rules! spread {
-    ($($color:ident),*) => {
-        $(impl Mean for $color {
-            type Sum = u32;
-
-            const NOTHING: u32 = 0;
-
-            #[inline(always)]
-            fn added_to(self, sum: u32) -> u32 {
-                let bits = u32::from(self.into_storage());
-                sum + ((bits | bits << 16) & SPREAD)
-            }
-
-            #[inline(always)]
-            fn of_sum(sum: u32, bits: u32) -> Self {
-                let mean = ((sum + ONES * ((1 << bits) >> 1)) >> bits) & SPREAD;
-                Self::from(RawU16::new((mean | mean >> 16) as u16))
-            }
-        })*
-    };
-}
-
-spread!(Rgb565, Bgr565);
-
-/// Channels of up to six bits, of which 16 fit ten bits: three sums in a word.
+/// Three sums in a word: `$spread` puts the channels of a colour there, and `$mean` returns the
+/// mean of 2^bits.
 macro_rules! in_a_word {
-    ($($color:ident),*) => {
+    ([$($color:ident),*] $spread:expr, $mean:expr) => {
         $(impl Mean for $color {
             type Sum = u32;
 
@@ -74,19 +49,41 @@ macro_rules! in_a_word {
 
             #[inline(always)]
             fn added_to(self, sum: u32) -> u32 {
-                sum + (u32::from(self.r()) << 20 | u32::from(self.g()) << 10 | u32::from(self.b()))
+                sum + $spread(self)
             }
 
             #[inline(always)]
             fn of_sum(sum: u32, bits: u32) -> Self {
-                let channel = |sum: u32| divided(sum & 0x3FF, bits);
-                Self::new(channel(sum >> 20), channel(sum >> 10), channel(sum))
+                $mean(sum, bits)
             }
         })*
     };
 }
 
-in_a_word!(Rgb332, Rgb555, Rgb666, Bgr555, Bgr666);
+// Five, six and five bits: in the places that the channels have.
+in_a_word!(
+    [Rgb565, Bgr565]
+    |color: Self| {
+        let bits = u32::from(color.into_storage());
+        (bits | bits << 16) & SPREAD
+    },
+    |sum: u32, bits: u32| {
+        let mean = ((sum + ONES * ((1 << bits) >> 1)) >> bits) & SPREAD;
+        Self::from(RawU16::new((mean | mean >> 16) as u16))
+    }
+);
+
+// Channels of up to six bits, of which 16 fit ten bits.
+in_a_word!(
+    [Rgb332, Rgb555, Rgb666, Bgr555, Bgr666]
+    |color: Self| {
+        u32::from(color.r()) << 20 | u32::from(color.g()) << 10 | u32::from(color.b())
+    },
+    |sum: u32, bits: u32| {
+        let channel = |sum: u32| divided(sum & 0x3FF, bits);
+        Self::new(channel(sum >> 20), channel(sum >> 10), channel(sum))
+    }
+);
 
 macro_rules! by_channels {
     ($($color:ident),*) => {

@@ -32,6 +32,8 @@ use crate::{
 
 /// The size of the display.
 pub const SIZE: Size = Size::new(320, 240);
+/// The display.
+const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
 /// Its pixels.
 pub const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 /// Vertices of the largest model.
@@ -120,10 +122,13 @@ pub(crate) const fn sun() -> Light {
 
 /// A camera that looks at the origin, with its focal length in pixels.
 pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
-    let near = Distance::lit("0.1");
-    let lens =
-        Perspective::with_focal_length(Distance::lit(focal_length), near, Distance::lit("100"));
-    let viewport = Rectangle::new(Point::zero(), SIZE);
+    view_on(AREA, Distance::lit(focal_length), distance)
+}
+
+/// The same in another viewport.
+fn view_on(viewport: Rectangle, focal_length: Distance, distance: &str) -> Camera {
+    let [near, far] = ["0.1", "100"].map(Distance::lit);
+    let lens = Perspective::with_focal_length(focal_length, near, far);
     let eye = Vec3::lit("0", "0", distance);
     Camera::at(eye, Rotation::IDENTITY, lens.unwrap_or_else(fail), viewport).unwrap_or_else(fail)
 }

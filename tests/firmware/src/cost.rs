@@ -16,7 +16,7 @@ use rasterizer::{
     output::{
         BandAreas, Blending, Frame, FrameDepth, InPages, PackedColor, PackedFrame, Rgb565Be, Target,
     },
-    scene::{Mode, Object, Order, Painter, Projected, Vertices},
+    scene::{Mode, Modes, Object, Order, Painter, Projected, Vertices},
     shade::{OnScreen, Shader},
 };
 
@@ -210,9 +210,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         vertices: &mut [ScreenVertex<S, u16, OnScreen<Sh>>],
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
-        let seen = seen.unwrap_or_else(fail);
-        self.count(&seen);
+        let seen = self.projected(object, camera, vertices);
         let area = camera.viewport();
         let pixels = (area.size.width * area.size.height) as usize;
         let mut frame = F::frame(&mut memory.color, &mut memory.depth[..pixels], area);
@@ -270,9 +268,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         M: Mode<Blending: OnTargets<D>>,
     {
         self.background = Rgb565Be::new(11, 20, 12);
-        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
-        let seen = seen.unwrap_or_else(fail);
-        self.count(&seen);
+        let seen = self.projected(object, camera, vertices);
         let areas = BandAreas::new(camera.viewport(), camera.viewport().size.height);
         match order {
             Some(order) => {
@@ -297,9 +293,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
     ) where
         Sh: Shader<Color = Rgb565Be>,
     {
-        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
-        let seen = seen.unwrap_or_else(fail);
-        self.count(&seen);
+        let seen = self.projected(object, camera, vertices);
         self.draw_frame::<D, PIXELS>(camera.viewport(), memory, |frame| draw(&seen, frame));
     }
 
@@ -309,11 +303,9 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         object: &Object<'_, Sh>,
         camera: &Camera,
         vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
-        draw: impl FnOnce(&Projected<'_, &[ScreenVertex<S, D, OnScreen<Sh>>], Perspective, Sh>) -> u64,
+        draw: impl FnOnce(&Seen<'_, S, D, Sh, Modes>) -> u64,
     ) {
-        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
-        let seen = seen.unwrap_or_else(fail);
-        self.count(&seen);
+        let seen = self.projected(object, camera, vertices);
         self.pixels_drawn += timed(Stage::Draw, &mut self.draw, || draw(&seen));
     }
 
@@ -345,9 +337,7 @@ impl<const SET_UP: bool> Cost<SET_UP> {
         order: &mut [u32],
         memory: &mut Memory<PIXELS>,
     ) {
-        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
-        let seen = seen.unwrap_or_else(fail);
-        self.count(&seen);
+        let seen = self.projected(object, camera, vertices);
         let painter = timed(Stage::Draw, &mut self.draw, || Painter::new((&seen,), order));
         let painter = painter.unwrap_or_else(fail);
         if SET_UP {
@@ -356,6 +346,20 @@ impl<const SET_UP: bool> Cost<SET_UP> {
             return;
         }
         self.draw_frame::<NoDepth, PIXELS>(camera.viewport(), memory, |frame| painter.draw(frame));
+    }
+
+    /// Projects the vertices of an object, and counts what is seen of it.
+    #[inline(always)]
+    fn projected<'s, S: Subpixel, D: Depth, Sh: Shader, M: Mode>(
+        &mut self,
+        object: &Object<'s, Sh, M>,
+        camera: &Camera,
+        vertices: &'s mut [ScreenVertex<S, D, OnScreen<Sh>>],
+    ) -> Seen<'s, S, D, Sh, M> {
+        let seen = timed(Stage::Vertices, &mut self.vertices, || object.project(camera, vertices));
+        let seen = seen.unwrap_or_else(fail);
+        self.count(&seen);
+        seen
     }
 
     /// Sorts the triangles into `bins`, if there are any, and draws the bands.

@@ -4,7 +4,6 @@
 use core::{cell::RefCell, convert::Infallible};
 
 use critical_section::Mutex;
-use embedded_graphics_core::{geometry::Point, primitives::Rectangle};
 use rasterizer::{
     attribute::NoDepth,
     camera::Camera,
@@ -17,13 +16,12 @@ use rasterizer::{
 
 use super::{LAMP, Scenes, VERTICES};
 use crate::{
-    bench::{MODES, PIXELS, SIZE, SUITED, Suited, sun},
+    bench::{AREA, MODES, PIXELS, SUITED, Suited, sun},
     cost::fail,
     models,
 };
 
 const LAYERS: u8 = 6;
-const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
 
 /// What is seen at each pixel, and its depth.
 struct Visible {

@@ -3,14 +3,10 @@
 use core::convert::Infallible;
 
 use embedded_graphics_core::{
-    Pixel,
-    draw_target::DrawTarget,
-    geometry::{Dimensions, Point},
-    primitives::Rectangle,
+    Pixel, draw_target::DrawTarget, geometry::Dimensions, primitives::Rectangle,
 };
 use rasterizer::{
-    camera::{Camera, Distance, Perspective},
-    numbers::{Rotation, Vec3},
+    camera::{Camera, Distance},
     output::{Bands, Rgb565Be, Supersampled},
     scene::Object,
     shade::Gouraud,
@@ -18,22 +14,17 @@ use rasterizer::{
 
 use super::Scenes;
 use crate::{
-    bench::{SIZE, SUITED, Suited, sun},
+    bench::{AREA, SIZE, SUITED, Suited, sun, view_on},
     cost::fail,
     models,
 };
 
-const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
 /// The display's rows in a band.
 const ROWS: u32 = 8;
 
 /// A camera that sees the same as the others on a display of another size.
 fn camera(viewport: Rectangle) -> Camera {
-    let focal_length = Distance::from_num(400 * viewport.size.width / SIZE.width);
-    let lens =
-        Perspective::with_focal_length(focal_length, Distance::lit("0.1"), Distance::lit("100"));
-    let eye = Vec3::lit("0", "0", "2.4");
-    Camera::at(eye, Rotation::IDENTITY, lens.unwrap_or_else(fail), viewport).unwrap_or_else(fail)
+    view_on(viewport, Distance::from_num(400 * viewport.size.width / SIZE.width), "2.4")
 }
 
 /// A display that counts the pixels that are no background.
