@@ -62,7 +62,10 @@ const VIEWS: [View; 4] = [
 ];
 
 const FLOOR: Plane = Plane::new(Vec3::lit("0.125", "2", "-0.25"), Scalar::lit("2"));
+/// The focal length in pixels.
 const FOCAL: f64 = 50.0;
+/// The near distance in units.
+const NEAR: f64 = 0.25;
 
 impl View {
     fn rotation(&self) -> Rotation {
@@ -70,7 +73,7 @@ impl View {
     }
 
     fn camera(&self) -> Camera<Perspective> {
-        let [focal, near, far] = ["50", "0.25", "100"].map(Distance::lit);
+        let [focal, near, far] = [FOCAL, NEAR, 100.0].map(Distance::from_num);
         let lens = Perspective::with_focal_length(focal, near, far).unwrap();
         Camera::at(self.eye, self.rotation(), lens, DISPLAY).unwrap()
     }
@@ -88,8 +91,8 @@ impl View {
         let (eye, normal) = (numbers(self.eye), numbers(FLOOR.normal));
         let height = product(normal, eye) + FLOOR.offset.to_num::<f64>();
         let way = -height / product(normal, direction);
-        // Along the view axis, from the near plane on.
-        (way > 0.25).then(|| [0, 1, 2].map(|i| eye[i] + way * direction[i]))
+        // Along the view axis.
+        (way > NEAR).then(|| [0, 1, 2].map(|i| eye[i] + way * direction[i]))
     }
 }
 

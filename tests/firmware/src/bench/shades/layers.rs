@@ -21,6 +21,7 @@ use crate::{
     models,
 };
 
+/// How many spheres there are.
 const LAYERS: u8 = 6;
 
 /// What is seen at each pixel, and its depth.
