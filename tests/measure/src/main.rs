@@ -1,5 +1,6 @@
 //! Builds the firmware for microcontrollers, runs it in QEMU, and measures what frames cost there.
 
+#[cfg_attr(not(test), expect(dead_code, reason = "the report draws with it"))]
 mod chart;
 mod conditions;
 mod cores;

@@ -97,16 +97,15 @@ fn table(points: &Points, curve: Curve) -> Table {
 pub(crate) fn chart(scaling: &Scaling) -> String {
     let triangles = [(Curve::SphereTriangles, "sphere"), (Curve::SquareTriangles, "square")];
     let widths = [(Curve::SphereWidths, "sphere"), (Curve::CubeWidths, "cube")];
-    let instructions = Axis { label: "instructions", scale: Scale::Log };
-    let exponent = Axis { label: "exponent", scale: Scale::Linear };
-    let of_triangles = Axis { label: "triangles of the model", scale: Scale::Log };
-    let of_widths =
-        Axis { label: "width in pixels (the display has 320 x 240)", scale: Scale::Log };
+    let instructions = || Axis::new("instructions", Scale::Log);
+    let exponent = || Axis::new("exponent", Scale::Linear);
+    let of_triangles = || Axis::new("triangles of the model", Scale::Log);
+    let of_widths = || Axis::new("width in pixels (the display has 320 x 240)", Scale::Log);
     let charts = [
-        ("Instructions by triangles", of_triangles, instructions, Shape::Line, triangles),
-        ("Instructions by width", of_widths, instructions, Shape::Line, widths),
-        ("Growth with the triangles", of_triangles, exponent, Shape::Steps, triangles),
-        ("Growth with the pixels", of_widths, exponent, Shape::Steps, widths),
+        ("Instructions by triangles", of_triangles(), instructions(), Shape::Line, triangles),
+        ("Instructions by width", of_widths(), instructions(), Shape::Line, widths),
+        ("Growth with the triangles", of_triangles(), exponent(), Shape::Steps, triangles),
+        ("Growth with the pixels", of_widths(), exponent(), Shape::Steps, widths),
     ];
     let charts = charts.map(|(title, x, y, shape, curves)| {
         let mut lines = Vec::new();
@@ -114,16 +113,21 @@ pub(crate) fn chart(scaling: &Scaling) -> String {
             for (number, (curve, name)) in curves.into_iter().enumerate() {
                 let precision = if core.core == Core::M0plus { "S4" } else { "S8" };
                 let points = core.figures.curve(curve, precision);
+                let places = match shape {
+                    Shape::Line => heights(&points),
+                    _ => growth(&points),
+                };
                 lines.push(chart::Curve {
                     label: format!("{name}, {}", core.core.title()),
-                    points: if shape == Shape::Line { heights(&points) } else { growth(&points) },
+                    points: places.into_iter().map(chart::Point::from).collect(),
                     shape,
                     color: core.core as usize,
                     is_dashed: number == 1,
+                    ..chart::Curve::default()
                 });
             }
         }
-        Chart { title, x, y, curves: lines }
+        Chart { title: title.to_owned(), x, y, curves: lines, ..Chart::default() }
     });
     chart::svg(&charts, 2)
 }
