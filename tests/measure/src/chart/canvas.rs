@@ -15,7 +15,8 @@ pub(super) trait Canvas {
     /// Fills a rectangle from its upper left corner.
     fn rectangle(&mut self, corner: Place, size: [f64; 2], color: Color);
     fn glyph(&mut self, glyph: Glyph, at: Place, color: Color);
-    /// Writes a line of text on a base line.
+    /// Writes a line of text on a base line. Pictures of dots have the characters of Latin-1; they
+    /// show a question mark for any other.
     fn text(&mut self, text: &str, at: Place, size: TextSize, anchor: Anchor);
 }
 

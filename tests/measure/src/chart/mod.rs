@@ -1,14 +1,17 @@
-//! Charts as SVG: lines, staircases and scattered points, on linear or logarithmic axes.
+//! Charts as SVG and as PNG: lines, staircases and scattered points, on linear or logarithmic axes.
 //!
 //! This file has what a chart consists of. [`axis`] and [`area`] say where values lie, [`labels`]
-//! finds room for text, [`draw`] puts the parts onto a [`canvas`]: [`mod@svg`].
+//! finds room for text, [`draw`] puts the parts onto a [`canvas`]: [`mod@svg`] or [`mod@png`].
 
 mod area;
 mod axis;
 mod canvas;
 mod draw;
 mod labels;
+mod png;
 mod svg;
+
+use anyhow::{Context as _, Result};
 
 /// A chart. Its axes range over all that it shows.
 #[derive(Clone, Debug, Default)]
@@ -130,6 +133,17 @@ pub(crate) fn svg(charts: &[Chart], columns: usize) -> String {
     let mut canvas = svg::Svg::new(draw::size(charts.len(), columns));
     draw::charts(&mut canvas, charts, columns);
     canvas.finish()
+}
+
+/// Returns the picture of [`svg()`] as a PNG file, with two dots to a user unit.
+///
+/// # Errors
+///
+/// If there is no chart.
+pub(crate) fn png(charts: &[Chart], columns: usize) -> Result<Vec<u8>> {
+    let mut canvas = png::Dots::new(draw::size(charts.len(), columns));
+    draw::charts(&mut canvas, charts, columns);
+    canvas.finish().context("a picture of the charts could not be written")
 }
 
 #[cfg(test)]

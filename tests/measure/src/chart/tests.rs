@@ -142,3 +142,26 @@ fn points_without_a_place_stand_at_the_edge() {
         assert!(text.contains(part), "{part} {text}");
     }
 }
+
+#[test]
+fn both_formats_show_the_same_parts() {
+    let charts = [example(), example(), example()];
+    let file = png(&charts, 2).unwrap();
+    let mut reader = ::png::Decoder::new(std::io::Cursor::new(file)).read_info().unwrap();
+    let mut dots = vec![0; reader.output_buffer_size().unwrap()];
+    let frame = reader.next_frame(&mut dots).unwrap();
+    assert_eq!((frame.width, frame.height), (2 * 1040, 2 * 740));
+    assert!(svg(&charts, 2).contains(r#"width="1040" height="740""#));
+    let color = |x: usize, y: usize| {
+        let start = 3 * (2 * y * frame.width as usize + 2 * x);
+        [dots[start], dots[start + 1], dots[start + 2]]
+    };
+    // In the left chart, in the right one, and in the one below: the middle of the failure's cross,
+    // a shaded corner, and the empty cell.
+    for [x, y] in [[0, 0], [520, 0], [0, 370]] {
+        let found = color(x + 91, y + 47);
+        assert_eq!(found, [0xd5, 0x5e, 0x00]);
+        assert_eq!(color(x + 62, y + 316), [0xef, 0xf3, 0xf7]);
+    }
+    assert_eq!(color(520 + 62, 370 + 316), [0xff; 3]);
+}
