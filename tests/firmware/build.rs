@@ -88,6 +88,7 @@ fn link() -> Result<(), Box<dyn Error>> {
             "bench_frugal_set_up",
             "bench_shades",
             "bench_textures",
+            "choice",
             "scaling",
         ] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");

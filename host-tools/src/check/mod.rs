@@ -53,6 +53,7 @@ mod surface;
 #[cfg(test)]
 mod tests;
 mod textured;
+mod truth;
 mod view;
 
 use std::time::{Duration, Instant};
@@ -72,6 +73,7 @@ pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use planes::{MOST_PLANES, PlaneSpace, ViewPlanes};
 pub use shading::Shading;
+pub use truth::{TrueModel, Truth};
 pub use view::{Projection, Subpixel, View, ViewError};
 
 use crate::{model::Model, reference};

@@ -72,25 +72,24 @@ impl<'a> Definition<'a> {
         let specular = self.lights.specular(position, normal, viewer, exponent);
         [self.lights.diffuse(position, normal), specular]
     }
+}
 
-    /// The unit normal in world space of each corner of the file.
-    fn file_normals(&self, view: &View) -> Vec<[f64; 3]> {
-        let Self { model, surface, .. } = self;
-        let of_vertices = view.pose_points(&model.exact.vertex_normals);
-        let of_planes: Vec<_> =
-            surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
-        let of_planes = view.pose_points(&of_planes);
-        let faces = model.exact.faces.faces.iter().zip(of_planes);
-        let corner = |vertices: &Vec<usize>, of_plane| {
-            let known = vertices.iter().find_map(|&vertex| of_vertices.get(vertex).copied());
-            known.unwrap_or(of_plane)
-        };
-        faces
-            .flat_map(|(face, of_plane)| {
-                surface.vertices[face.corners.clone()].iter().map(move |v| corner(v, of_plane))
-            })
-            .collect()
-    }
+/// The unit normal in world space of each corner of the file.
+pub(super) fn file_normals(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 3]> {
+    let of_vertices = view.pose_points(&model.exact.vertex_normals);
+    let of_planes: Vec<_> =
+        surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
+    let of_planes = view.pose_points(&of_planes);
+    let faces = model.exact.faces.faces.iter().zip(of_planes);
+    let corner = |vertices: &Vec<usize>, of_plane| {
+        let known = vertices.iter().find_map(|&vertex| of_vertices.get(vertex).copied());
+        known.unwrap_or(of_plane)
+    };
+    faces
+        .flat_map(|(face, of_plane)| {
+            surface.vertices[face.corners.clone()].iter().map(move |v| corner(v, of_plane))
+        })
+        .collect()
 }
 
 /// The finishes of the materials, with their colours.
@@ -141,7 +140,7 @@ pub(super) fn draw_at_vertices<'a, L: Lighting>(
 ) -> Result<Drawn<'a>, ViewError> {
     let shader = GlossyGouraud::<Rgb888, L>::new(lights).with_levels::<LEVELS>();
     let rounded = view.rounded();
-    let normals = definition.file_normals(&rounded);
+    let normals = file_normals(definition.model, definition.surface, &rounded);
     let exponent = exponent_of_vertices(&finishes(definition.model));
     let Definition { model, surface, .. } = definition;
     let (finishes, file_finishes) = (definition.finishes.clone(), definition.file_finishes.clone());
@@ -184,7 +183,7 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
     let size: (usize, usize) = view.size.map(|c| c as usize).into();
     let depth = view.depth.definition();
     let rounded = view.rounded();
-    let normals = definition.file_normals(&rounded);
+    let normals = file_normals(definition.model, definition.surface, &rounded);
     let file_finishes = definition.file_finishes.clone();
     let file = Definition::new((model, surface), &rounded, definition.is_near);
     let core_view = *view;

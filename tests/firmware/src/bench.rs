@@ -33,7 +33,7 @@ use crate::{
 /// The size of the display.
 pub const SIZE: Size = Size::new(320, 240);
 /// The display.
-const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
+pub(crate) const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
 /// Its pixels.
 pub const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 /// Vertices of the largest model.
@@ -126,7 +126,7 @@ pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
 }
 
 /// The same in another viewport.
-fn view_on(viewport: Rectangle, focal_length: Distance, distance: &str) -> Camera {
+pub(crate) fn view_on(viewport: Rectangle, focal_length: Distance, distance: &str) -> Camera {
     let [near, far] = ["0.1", "100"].map(Distance::lit);
     let lens = Perspective::with_focal_length(focal_length, near, far);
     let eye = Vec3::lit("0", "0", distance);

@@ -30,6 +30,33 @@ pub fn line(text: Arguments<'_>) {
     std::println!("{text}");
 }
 
+/// Nanoseconds since the first call, modulo 2^32.
+#[cfg(not(target_os = "none"))]
+pub fn nanoseconds() -> u32 {
+    static FIRST: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();
+    FIRST.get_or_init(std::time::Instant::now).elapsed().as_nanos() as u32
+}
+
+/// Writes a picture, if the environment names a folder for pictures in `PICTURES`: red, green and
+/// blue of each pixel, row by row.
+///
+/// # Panics
+///
+/// Panics if it cannot be written.
+#[cfg(not(target_os = "none"))]
+pub fn picture(name: &str, frame: u32, channels: impl Iterator<Item = u8>) {
+    if let Some(folder) = std::env::var_os("PICTURES") {
+        let path = std::path::Path::new(&folder).join(std::format!("{name}-{frame}.rgb"));
+        let channels: std::vec::Vec<u8> = channels.collect();
+        std::fs::write(&path, channels)
+            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    }
+}
+
+/// Does nothing: a microcontroller has no files.
+#[cfg(target_os = "none")]
+pub fn picture(_: &str, _: u32, _: impl Iterator<Item = u8>) {}
+
 /// Prints the `opt-level` that this was compiled with.
 pub fn build() {
     line(format_args!("opt-level {}", env!("OPT_LEVEL")));

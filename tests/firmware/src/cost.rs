@@ -450,7 +450,7 @@ fn around(a: Rectangle, b: Rectangle) -> Rectangle {
 
 /// Does the work of a stage and adds the cycles that it took to a sum.
 #[inline(always)]
-fn timed<T>(stage: Stage, sum: &mut u64, work: impl FnOnce() -> T) -> T {
+pub fn timed<T>(stage: Stage, sum: &mut u64, work: impl FnOnce() -> T) -> T {
     let start = Moment::now();
     counter::mark(stage);
     let result = work();

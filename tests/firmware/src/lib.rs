@@ -6,6 +6,7 @@
 mod cost_fields;
 
 pub mod bench;
+pub mod choice;
 pub mod console;
 pub mod cost;
 pub mod counter;

@@ -46,6 +46,27 @@ pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
     Ok(target_directory().join("release").join(name).with_extension(env::consts::EXE_EXTENSION))
 }
 
+/// Builds the program of the choices in a file of Rust, for a core or for the host, and returns its
+/// path. The next one for the same target replaces it.
+pub(crate) fn build_choices(core: Option<Core>, choices: &Path) -> Result<PathBuf> {
+    const NAME: &str = "choice";
+    let (mut command, folder) = match core {
+        Some(core) => {
+            let toolchain = Toolchain::find(core)?;
+            (toolchain.cargo(core), toolchain.output(core))
+        }
+        None => {
+            let mut command = Command::new(cargo_in_use());
+            command.args(CARGO_ARGUMENTS).arg("--release");
+            (command, target_directory().join("release"))
+        }
+    };
+    command.env("CHOICES", path::absolute(choices)?).args(["--features", NAME]);
+    run(command, "--bin", &[NAME])?;
+    let extension = if core.is_some() { "" } else { env::consts::EXE_EXTENSION };
+    Ok(folder.join(NAME).with_extension(extension))
+}
+
 /// Builds the plugin for QEMU, with these features, and returns its path.
 pub(crate) fn build_plugin(features: &[&str]) -> Result<PathBuf> {
     let mut command = Command::new(cargo_in_use());

@@ -1,6 +1,5 @@
 //! Builds the firmware for microcontrollers, runs it in QEMU, and measures what frames cost there.
 
-#[cfg_attr(not(test), expect(dead_code, reason = "the report draws with it"))]
 mod chart;
 mod conditions;
 mod cores;
@@ -13,6 +12,7 @@ mod frames;
 mod plugin;
 mod progress;
 mod qemu;
+mod report;
 mod results;
 mod rows;
 mod scaling;
@@ -55,6 +55,7 @@ enum Command {
     Cycles(cycles::Arguments),
     Scaling(scaling::Arguments),
     Size(size::Arguments),
+    Report(report::Arguments),
     /// Write tests/measure/RESULTS.md and its chart again, from the saved figures
     Render,
 }
@@ -75,6 +76,7 @@ fn main() -> ExitCode {
         Command::Cycles(arguments) => cycles::run(arguments),
         Command::Scaling(arguments) => scaling::run(arguments),
         Command::Size(arguments) => size::run(arguments),
+        Command::Report(arguments) => report::run(arguments),
         Command::Render => results::render().map(|()| Done { text: String::new(), is_good: true }),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {

@@ -6,7 +6,7 @@ use anyhow::Result;
 use host_tools::model::write_atomically;
 
 use crate::{
-    cycles, firmware,
+    cycles, firmware, report,
     scaling::{self, Scaling},
     speed::Speed,
 };
@@ -18,19 +18,24 @@ Measured in QEMU and written by `cargo run --quiet --release --package measure`.
 same on every host that has the same compiler.
 ";
 
-/// Writes `RESULTS.md` and its chart from all saved figures.
+/// Writes `RESULTS.md`, its chart and the report from all saved figures.
 pub(crate) fn render() -> Result<()> {
-    for (name, text) in rendered()? {
-        write_atomically(&file(name), text)?;
+    for (name, bytes) in rendered()? {
+        write_atomically(&file(&name), bytes)?;
     }
     Ok(())
 }
 
 /// The files that are made of the saved figures.
-fn rendered() -> Result<[(&'static str, String); 2]> {
+fn rendered() -> Result<Vec<(String, Vec<u8>)>> {
     let (speed, scaling) = (Speed::saved()?, Scaling::saved()?);
     let text = [TITLE, &speed.section(), &cycles::section(&speed), &scaling.section()].join("\n");
-    Ok([("../RESULTS.md", text), ("scaling.svg", scaling::chart(&scaling))])
+    let mut files = vec![
+        ("../RESULTS.md".to_owned(), text.into_bytes()),
+        ("scaling.svg".to_owned(), scaling::chart(&scaling).into_bytes()),
+    ];
+    files.extend(report::rendered()?);
+    Ok(files)
 }
 
 pub(crate) fn file(name: &str) -> PathBuf {
@@ -46,7 +51,7 @@ mod tests {
     #[test]
     fn the_rendered_files_are_those_of_the_saved_figures() {
         for (name, text) in rendered().unwrap() {
-            let found = fs::read_to_string(file(name)).unwrap();
+            let found = fs::read(file(&name)).unwrap();
             assert!(found == text, "{name} is out of date: run `measure render`");
         }
     }

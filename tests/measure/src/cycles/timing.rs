@@ -53,6 +53,15 @@ impl Timing {
         let misses = counts.fetch_misses + counts.data_misses;
         cycles.max(0) as u64 + if self.models[model].is_in_flash { miss * misses } else { 0 }
     }
+
+    /// The cycles in memory without waiting: the least, the figure that is compared, and the most.
+    /// They are equal where the table is exact.
+    pub(crate) fn range(&self, counts: &Counts) -> [u64; 3] {
+        ["least", "cycles", "most"].map(|name| {
+            let model = self.models.iter().position(|model| model.name == name).unwrap_or(0);
+            self.cycles(model, counts, 0)
+        })
+    }
 }
 
 #[cfg(test)]
@@ -76,6 +85,15 @@ mod tests {
     fn cycles(core: Core, counts: &Counts) -> Vec<u64> {
         let timing = Timing::of(core).unwrap();
         (0..timing.models.len()).map(|model| timing.cycles(model, counts, 60)).collect()
+    }
+
+    #[test]
+    fn a_range_is_exact_or_around_the_figure() {
+        let counts = Counts { instructions: 9, divides: 2, taken: 1, ..Counts::default() };
+        let of = |core| Timing::of(core).unwrap().range(&counts);
+        let [least, cycles, most] = of(Core::M4);
+        assert!(least < cycles && cycles < most);
+        assert_eq!(of(Core::M0plus), [of(Core::M0plus)[1]; 3]);
     }
 
     #[test]

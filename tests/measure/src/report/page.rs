@@ -1,0 +1,209 @@
+//! The report as a page of Markdown, and as rows of CSV.
+
+use std::fmt::Write as _;
+
+use super::{
+    Report,
+    front::front,
+    points::{Measured, Point},
+};
+use crate::{
+    cores::Core,
+    figures::count,
+    table::{Column, Table},
+};
+
+const INTRODUCTION: &str = "\
+What accuracy costs. Each point of a diagram is a program: a choice of sub-pixels, visibility,
+light, perspective, filter, colours and samples, compiled as a firmware that makes that choice. The
+further down, the closer its pictures are to the true one; the further left, the sooner they are
+drawn. Both axes are logarithmic. A method is a curve with its settings along it; the steps are the
+choices that no other one beats.
+
+* **Error** is that of the colours that a display of 320 x 240 shows, in steps of 8 bits: the root
+  of the mean square over all pixels that show the model, in the picture or in truth, and over all
+  frames. The true picture is drawn in f64 from the numbers of the OBJ file: light at each point of
+  the surface with its smooth normals, textures in their files' size, the mean of 64 samples over each pixel. *inside*
+  leaves out the pixels of the outline; *8x8* is that of the means of squares of pixels, where
+  dithering gains what it loses in each pixel; *99.9 %* and *most* are of a pixel's worst channel.
+* **Run time** is that of a frame, in cycles by the core's [timing table](RESULTS.md#cycles); bars
+  show the range where the table has one. It counts clearing depth, vertices, triangles and
+  pixels, and with several samples their means; not sending them to the display. Points on the
+  steps are counted in a program of their own, others in one that they share (~).
+* **What cannot be seen** is shaded: rounding to RGB565 alone has the error of its upper edge. The
+  dotted line is the error of the true picture itself, against one of four times as many samples.
+* The picture on a core is that of the host, bit by bit: each run compares their hashes.
+";
+
+const OMISSIONS: &str = "\
+## What was left out
+
+* Positions and normals of other widths: the core has 16 and 8 bits. What 16 bits cost shows in the
+  tables of causes, as the difference between *off file* and *off tables*.
+* Light at each pixel over a texture: the core does not have it.
+* Highlights, several lights, fog and blending: no two choices draw the same there.
+* The painter's algorithm with several samples, and with textures.
+* A rasterizer in floating point, for comparison.
+* How a picture changes while its model moves by a part of a pixel (shimmer). S4 places vertices
+  within 1/32 of a pixel, S8 within 1/512.
+* The Cortex-M7 has no timing table; RISC-V and the Cortex-M33 have one: name them with `--core`.
+";
+
+/// The page, with pictures beside it: `picture` returns the path of a scene's.
+pub(super) fn page(report: &Report, advice: &str, picture: impl Fn(&str) -> String) -> String {
+    let mut text = format!("# Error against run time\n\n{INTRODUCTION}\n{advice}");
+    for measured in &report.scenes {
+        let name = &measured.scene.name;
+        let _ = write!(
+            text,
+            "\n## {name}\n\n![Error over run time of {name}]({})\n\n{}",
+            picture(name),
+            table(measured, &report.cores)
+        );
+        for &core in &report.cores {
+            let _ = write!(
+                text,
+                "\nThe cheapest on the {} whose error is at most\n\n{}",
+                core.title(),
+                cheapest(measured, Some(core))
+            );
+        }
+        if report.cores.is_empty() {
+            let _ = write!(text, "\nThe quickest here\n\n{}", cheapest(measured, None));
+        }
+        text += &causes(measured);
+    }
+    let _ = write!(text, "\n{OMISSIONS}\n## Conditions\n\n");
+    for (core, conditions) in &report.conditions {
+        let _ = writeln!(text, "* {}: {}, {conditions}.", core.title(), conditions.date);
+    }
+    if report.conditions.is_empty() {
+        text += "* Times are those of this machine: the median of several runs.\n";
+    }
+    text
+}
+
+/// All points of a scene, the cheapest first.
+fn table(measured: &Measured, cores: &[Core]) -> Table {
+    let mut headings = vec!["choice", "RMS", "inside", "8x8", "99.9 %", "most", "PSNR"];
+    headings.extend(cores.iter().map(|core| core.title()));
+    headings.push("host, \u{b5}s");
+    let mut table = Table::new(1, &headings);
+    let first = cores.first().copied();
+    let mut points: Vec<_> = measured.points.iter().collect();
+    points.sort_by_key(|point| point.figure(first));
+    for point in points {
+        let Point { choice, errors, nanoseconds, .. } = point;
+        let name = choice.name();
+        let mut cells =
+            vec![if choice.is_default() { format!("**{name}** (default)") } else { name }];
+        cells.extend(
+            [errors.rms, errors.rms_inside, errors.rms_squares].map(|error| format!("{error:.2}")),
+        );
+        cells.extend([errors.p999, errors.max].map(|error| format!("{error:.0}")));
+        cells.push(format!("{:.1} dB", errors.psnr_db()));
+        for &core in cores {
+            cells.push(point.cost(core).map_or_else(String::new, |cost| {
+                let shared = if cost.is_alone { "" } else { "~" };
+                format!("{shared}{}", count(cost.figure()))
+            }));
+        }
+        cells.push(count(nanoseconds[1] / 1000));
+        table.row(cells);
+    }
+    table
+}
+
+/// The cheapest choice for each bound of the error, by halves.
+fn cheapest(measured: &Measured, core: Option<Core>) -> Table {
+    let places: Vec<_> = measured
+        .points
+        .iter()
+        .map(|point| [point.figure(core).unwrap_or(0) as f64, point.errors.rms])
+        .collect();
+    let front = front(&places);
+    let columns: [Column<(f64, &Point, u64)>; 4] = [
+        ("error", |(bound, ..)| format!("{bound}")),
+        ("choice", |(_, point, _)| point.choice.name()),
+        ("RMS", |(_, point, _)| format!("{:.2}", point.errors.rms)),
+        ("run time", |(_, _, figure)| count(*figure)),
+    ];
+    let mut last = None;
+    let rows = (-1..7).map(|exponent| 2f64.powi(exponent)).filter_map(|bound| {
+        let place = front.iter().copied().find(|&place| places[place][1] <= bound)?;
+        // The closest bound that a choice keeps says the most.
+        (last.replace(place) != Some(place)).then(|| {
+            let point = &measured.points[place];
+            (bound, point, point.figure(core).unwrap_or(0))
+        })
+    });
+    let mut rows: Vec<_> = rows.collect();
+    rows.reverse();
+    Table::of(2, &columns, rows)
+}
+
+/// The tables of causes.
+fn causes(measured: &Measured) -> String {
+    let columns: [Column<&super::split::Split>; 8] = [
+        ("bits", |split| format!("S{}", split.subpixel)),
+        ("depth", |split| split.depth.clone()),
+        ("vertices off file, px", |split| format!("{:.4}", split.geometry.off_file_px)),
+        ("off tables, px", |split| format!("{:.4}", split.geometry.off_tables_px)),
+        ("pixels off file", |split| count(split.geometry.coverage_off_file as u64)),
+        ("off snapped", |split| count(split.geometry.coverage_off_snapped as u64)),
+        ("depth off file, RMS", |split| format!("{:.2}", split.geometry.depth_off_file)),
+        ("off snapped, most", |split| format!("{:.2}", split.geometry.depth_off_snapped)),
+    ];
+    let mut text = format!(
+        "\nCauses, the worst of all frames: *off file* is against the OBJ file's numbers, *off \
+         tables* against those of the tables, *off snapped* against the vertices as they are \
+         rounded to sub-pixels. Depth is in units of its format.\n\n{}",
+        Table::of(2, &columns, &measured.splits)
+    );
+    if measured.scene.is_textured {
+        let columns: [Column<&super::split::Texels>; 2] = [
+            ("correction", |texels| texels.correction.name()),
+            ("most, texels", |texels| format!("{:.4}", texels.most)),
+        ];
+        text += "\nTexture coordinates against exact perspective on the same vertices:\n\n";
+        text += &Table::of(1, &columns, &measured.texels).to_string();
+    }
+    text
+}
+
+/// All points as rows of CSV: scene, choice, errors, and for each core instructions and cycles.
+pub(super) fn csv(report: &Report) -> String {
+    let mut text = String::from("scene,choice,rms,rms_inside,rms_squares,p999,max,host_ns");
+    for core in &report.cores {
+        let name = core.facts().name;
+        let _ = write!(text, ",{name}_instructions,{name}_cycles,{name}_alone");
+    }
+    text.push('\n');
+    for measured in &report.scenes {
+        for point in &measured.points {
+            let errors = point.errors;
+            let _ = write!(
+                text,
+                "{},{},{:.4},{:.4},{:.4},{:.2},{:.2},{}",
+                measured.scene.name,
+                point.choice.name(),
+                errors.rms,
+                errors.rms_inside,
+                errors.rms_squares,
+                errors.p999,
+                errors.max,
+                point.nanoseconds[1]
+            );
+            for &core in &report.cores {
+                let cost = point.cost(core);
+                let of = |value: Option<u64>| value.map_or_else(String::new, |v| v.to_string());
+                let instructions = of(cost.map(|cost| cost.instructions));
+                let cycles = of(cost.and_then(|cost| cost.cycles).map(|[_, cycles, _]| cycles));
+                let is_alone = cost.is_some_and(|cost| cost.is_alone);
+                let _ = write!(text, ",{instructions},{cycles},{is_alone}");
+            }
+            text.push('\n');
+        }
+    }
+    text
+}

@@ -1,0 +1,172 @@
+//! The points of the diagrams: a choice, its error and its cost.
+
+use std::collections::HashMap;
+
+use anyhow::{Context as _, Result};
+use host_tools::check::{TrueModel, Truth};
+use indicatif::ProgressBar;
+use serde::{Deserialize, Serialize};
+
+use super::{
+    choices::Choice,
+    errors::{self, Errors},
+    front::front,
+    run::{self, Drawn},
+    scenes::Scene,
+    split::{self, Split, Texels},
+};
+use crate::{conditions::Conditions, cores::Core, cycles::timing::Timing, plugin::Plugin};
+
+/// What a frame of a choice costs on a core: means over the frames.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Cost {
+    pub(super) core: Core,
+    pub(super) instructions: u64,
+    /// By the core's timing table, if there is one: the least, the figure that is compared, and the
+    /// most of its models in memory without waiting.
+    pub(super) cycles: Option<[u64; 3]>,
+    /// Whether it was counted in a program of its own. Others share one with all choices of the
+    /// scene, where the compiler inlines less of what they share.
+    pub(super) is_alone: bool,
+}
+
+impl Cost {
+    /// What is compared: cycles, or instructions where there is no timing table.
+    pub(super) fn figure(&self) -> u64 {
+        self.cycles.map_or(self.instructions, |[_, cycles, _]| cycles)
+    }
+}
+
+/// A choice with its error and its cost.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Point {
+    pub(super) choice: Choice,
+    pub(super) errors: Errors,
+    /// Nanoseconds of a frame on the host: the least, the median and the most of several runs.
+    pub(super) nanoseconds: [u64; 3],
+    pub(super) costs: Vec<Cost>,
+}
+
+impl Point {
+    pub(super) fn cost(&self, core: Core) -> Option<&Cost> {
+        self.costs.iter().find(|cost| cost.core == core)
+    }
+
+    /// The cost on a core, or in nanoseconds on the host.
+    pub(super) fn figure(&self, core: Option<Core>) -> Option<u64> {
+        match core {
+            Some(core) => self.cost(core).map(Cost::figure),
+            None => Some(self.nanoseconds[1]),
+        }
+    }
+}
+
+/// All that is known of a scene.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Measured {
+    pub(super) scene: Scene,
+    /// How far the true picture is off one of four times as many samples, in the same unit as the
+    /// errors: what is below it says nothing.
+    pub(super) reference_rms: f64,
+    pub(super) points: Vec<Point>,
+    pub(super) splits: Vec<Split>,
+    pub(super) texels: Vec<Texels>,
+}
+
+/// Steps of progress for a scene, apart from its cores.
+pub(super) const STEPS: usize = 3;
+
+/// Samples along a side of a pixel of the true picture.
+pub(super) const TRUE_SAMPLES: usize = 8;
+
+impl Measured {
+    /// Draws a scene by all choices, and counts on the cores.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if something cannot be converted, built or run.
+    pub(super) fn of(
+        scene: Scene,
+        cores: &[Core],
+        progress: &ProgressBar,
+    ) -> Result<(Self, Vec<(Core, Conditions)>)> {
+        let step = |what: &str| {
+            progress.inc(1);
+            progress.set_message(format!("{what} of {}", scene.name));
+        };
+        step("pictures");
+        let mut choices: Vec<Choice> = Vec::new();
+        for choice in scene.methods().into_iter().flat_map(|method| method.choices) {
+            if !choices.contains(&choice) {
+                choices.push(choice);
+            }
+        }
+        let folder = scene.folder()?;
+        let drawn = run::on_host(&scene, &choices, &folder)?;
+        step("reference");
+        let model = scene.true_model()?;
+        let exact = TrueModel::new(&model);
+        let truth = |frame, side| exact.picture(&scene.view(frame), side);
+        let truths: Vec<Truth> = (0..scene.frames).map(|i| truth(i, TRUE_SAMPLES)).collect();
+        let reference_rms = errors::between(&truth(0, 2 * TRUE_SAMPLES), &truths[0]);
+        let points = choices.into_iter().map(|choice| {
+            let drawn = drawn.get(&choice.name()).context("a choice is not drawn")?;
+            let errors = Errors::of(drawn.frames.iter().zip(&truths));
+            let times = &drawn.nanoseconds;
+            Ok(Point {
+                choice,
+                errors: errors.with_context(|| format!("{} shows nothing", scene.name))?,
+                nanoseconds: [times[0], times[times.len() / 2], times[times.len() - 1]],
+                costs: Vec::new(),
+            })
+        });
+        let mut points = points.collect::<Result<Vec<_>>>()?;
+        step("causes of errors");
+        let tables = scene.model()?;
+        let (splits, texels) = (split::geometry(&scene, &tables)?, split::texels(&scene, &tables)?);
+        let mut conditions = Vec::new();
+        for &core in cores {
+            step(core.title());
+            conditions.push((core, count(&scene, core, &mut points, &drawn)?));
+        }
+        Ok((Self { scene, reference_rms, points, splits, texels }, conditions))
+    }
+}
+
+/// Counts all choices in one program, and then those on the front each in its own, until all on the
+/// front are.
+fn count(
+    scene: &Scene,
+    core: Core,
+    points: &mut [Point],
+    drawn: &HashMap<String, Drawn>,
+) -> Result<Conditions> {
+    let plugin = Plugin::build(core)?;
+    let folder = scene.folder()?;
+    let set = |points: &mut [&mut Point], is_alone| -> Result<Conditions> {
+        let choices: Vec<_> = points.iter().map(|point| point.choice).collect();
+        let (counted, conditions) = run::on_core(&plugin, core, scene, &choices, &folder, drawn)?;
+        for (point, (counts, frames)) in points.iter_mut().zip(counted) {
+            let mean = |sum: u64| (sum + frames / 2) / frames;
+            let cycles = Timing::of(core).map(|timing| timing.range(&counts).map(mean));
+            let cost = Cost { core, instructions: mean(counts.instructions), cycles, is_alone };
+            point.costs.retain(|cost| cost.core != core);
+            point.costs.push(cost);
+        }
+        Ok(conditions)
+    };
+    let conditions = set(&mut points.iter_mut().collect::<Vec<_>>(), false)?;
+    loop {
+        let places: Vec<_> = points
+            .iter()
+            .map(|point| [point.figure(Some(core)).unwrap_or(0) as f64, point.errors.rms])
+            .collect();
+        let shared = front(&places)
+            .into_iter()
+            .find(|&place| points[place].cost(core).is_some_and(|cost| !cost.is_alone));
+        match shared {
+            Some(place) => set(&mut [&mut points[place]], true).map(|_| ())?,
+            None => return Ok(conditions),
+        }
+    }
+}

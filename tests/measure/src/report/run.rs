@@ -1,0 +1,145 @@
+//! Builds and runs the programs of choices.
+
+use std::{
+    collections::HashMap,
+    fs,
+    path::{Path, PathBuf},
+    process::Command,
+};
+
+use anyhow::{Context as _, Result, ensure};
+use host_tools::model::write_atomically;
+use serde::Deserialize;
+
+use super::{
+    choices::Choice,
+    errors::Picture,
+    program,
+    scenes::{Scene, Tables},
+};
+use crate::{conditions::Conditions, cores::Core, counts::Counts, firmware, plugin::Plugin};
+
+/// What a program prints of a choice.
+#[derive(Clone, Debug, PartialEq, Eq, Deserialize)]
+struct Line {
+    choice: String,
+    frames: u64,
+    /// Of all pixels of all frames.
+    hash: String,
+    /// Nanoseconds on the host.
+    ticks: u64,
+}
+
+/// A choice on the host.
+#[derive(Clone, Debug)]
+pub(super) struct Drawn {
+    /// The hash of its pictures.
+    pub(super) hash: String,
+    /// Its pictures.
+    pub(super) frames: Vec<Picture>,
+    /// Nanoseconds of a frame in each run, in increasing order.
+    pub(super) nanoseconds: Vec<u64>,
+}
+
+/// How often the host's program is run: its times differ.
+const RUNS: usize = 7;
+
+/// Draws all choices on the host, each run one after the other, so that what else the machine does
+/// meets all of them.
+///
+/// # Errors
+///
+/// Returns an error if the program cannot be built or run.
+pub(super) fn on_host(
+    scene: &Scene,
+    choices: &[Choice],
+    folder: &Path,
+) -> Result<HashMap<String, Drawn>> {
+    let source = write(scene, choices, folder, "choices")?;
+    let program = firmware::build_choices(None, &source)?;
+    let mut drawn: HashMap<String, Drawn> = HashMap::new();
+    for run in 0..RUNS {
+        let mut command = Command::new(&program);
+        if run == 0 {
+            command.env("PICTURES", folder);
+        }
+        let output = firmware::output_of(&mut command)?;
+        for line in lines(output.lines())? {
+            let frames = if run == 0 { pictures(folder, &line)? } else { Vec::new() };
+            let found = drawn.entry(line.choice).or_insert_with(|| Drawn {
+                hash: line.hash,
+                frames,
+                nanoseconds: Vec::new(),
+            });
+            found.nanoseconds.push(line.ticks / line.frames.max(1));
+        }
+    }
+    drawn.values_mut().for_each(|drawn| drawn.nanoseconds.sort_unstable());
+    Ok(drawn)
+}
+
+/// Reads the pictures of a choice, and removes their files.
+fn pictures(folder: &Path, line: &Line) -> Result<Vec<Picture>> {
+    let picture = |frame| {
+        let path = folder.join(format!("{}-{frame}.rgb", line.choice));
+        let picture = fs::read(&path).with_context(|| path.display().to_string())?;
+        fs::remove_file(&path).with_context(|| path.display().to_string())?;
+        Ok(picture)
+    };
+    (0..line.frames).map(picture).collect()
+}
+
+/// Counts what the frames of each choice take on a core, all in one program. Returns the counts, the
+/// number of frames, and the conditions.
+///
+/// # Errors
+///
+/// Returns an error if the program cannot be built or run, or if a picture is not that of the host.
+pub(super) fn on_core(
+    plugin: &Plugin,
+    core: Core,
+    scene: &Scene,
+    choices: &[Choice],
+    folder: &Path,
+    drawn: &HashMap<String, Drawn>,
+) -> Result<(Vec<(Counts, u64)>, Conditions)> {
+    let source = write(scene, choices, folder, core.facts().name)?;
+    let output = plugin.run(&firmware::build_choices(Some(core), &source)?)?;
+    let lines = lines(output.lines.iter().map(String::as_str))?;
+    ensure!(
+        lines.len() == choices.len() && output.reports.len() == choices.len(),
+        "{} choices, {} lines and {} reports",
+        choices.len(),
+        lines.len(),
+        output.reports.len()
+    );
+    let counted = lines.into_iter().zip(&output.reports).map(|(line, stages)| {
+        let hash = drawn.get(&line.choice).map(|drawn| drawn.hash.as_str());
+        ensure!(
+            hash == Some(line.hash.as_str()),
+            "{} of {} on {} is not the picture of the host",
+            line.choice,
+            scene.name,
+            core.title()
+        );
+        Ok((stages.clear + stages.vertices + stages.draw, line.frames))
+    });
+    Ok((counted.collect::<Result<_>>()?, Conditions::of(core, &output.lines)?))
+}
+
+/// Writes the source of a program, with the tables beside it.
+fn write(scene: &Scene, choices: &[Choice], folder: &Path, name: &str) -> Result<PathBuf> {
+    let tables = Tables::write(scene, choices, folder)?;
+    let path = folder.join(name).with_extension("rs");
+    write_atomically(&path, program::source(scene, &tables, choices))?;
+    Ok(path)
+}
+
+/// Parses what a program prints behind its `opt-level`.
+fn lines<'a>(lines: impl Iterator<Item = &'a str>) -> Result<Vec<Line>> {
+    let parse = |line| {
+        serde_json::from_str(line)
+            .with_context(|| format!("the firmware has printed `{line}` instead of a choice"))
+    };
+    lines.skip(1).map(parse).collect()
+}

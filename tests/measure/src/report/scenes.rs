@@ -1,0 +1,195 @@
+//! The scenes of the report: a model, and how it is seen.
+
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context as _, Result};
+use host_tools::{
+    check::{Projection, View},
+    model::{ColorFormat, Model, Options, TexelFormat, TextureOptions, emit, write_atomically},
+};
+use serde::{Deserialize, Serialize};
+
+use super::choices::{self, Choice, Method};
+use crate::firmware;
+
+/// A model as it is seen by all choices.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) struct Scene {
+    pub(super) name: String,
+    /// Not in the figures: it is a path of one machine.
+    #[serde(skip)]
+    pub(super) file: PathBuf,
+    pub(super) is_textured: bool,
+    /// On a display of 320 x 240.
+    pub(super) focal_length_px: u32,
+    /// Of the camera from the middle of the model, whose farthest vertex is 1 away.
+    pub(super) distance: String,
+    /// Turned by an eighth of a turn each.
+    pub(super) frames: u32,
+}
+
+/// The size of the display in pixels.
+pub(super) const SIZE: [u32; 2] = [320, 240];
+
+/// The models of the project that are scenes: smooth, with flat colours, with a texture.
+const SHIPPED: [&str; 3] = ["torus_knot", "rocket", "wooden_crate"];
+
+/// Those of the folder that `RASTERIZER_MODELS` names.
+const FOREIGN: [&str; 2] = ["suzanne", "spot_textured"];
+
+impl Scene {
+    /// A model, seen as the bench scenes are.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if it cannot be converted.
+    pub(super) fn of(file: &Path, frames: u32) -> Result<Self> {
+        let model = Model::load(file, &options(None))?;
+        let name = file.file_stem().context("a model has a name")?.to_string_lossy().into_owned();
+        Ok(Self {
+            name,
+            is_textured: model.textures.is_some(),
+            file: file.to_path_buf(),
+            focal_length_px: 400,
+            distance: "2.4".into(),
+            frames,
+        })
+    }
+
+    /// What is compared in it.
+    pub(super) fn methods(&self) -> Vec<Method> {
+        if self.is_textured { choices::of_texture() } else { choices::of_colors() }
+    }
+
+    /// The view of a frame in the host tools.
+    pub(super) fn view(&self, frame: u32) -> View {
+        let turn = |steps: u32| f64::from(steps) / 512.0 * 360.0;
+        let half_height = f64::from(SIZE[1]) / 2.0;
+        let half_angle = (half_height / f64::from(self.focal_length_px)).atan();
+        View {
+            size: SIZE,
+            distance: self.distance.parse().unwrap_or(1.0),
+            projection: Projection::Perspective {
+                field_of_view_degrees: 2.0 * half_angle.to_degrees(),
+            },
+            near: 0.1,
+            far: 100.0,
+            yaw_degrees: turn(64 * frame + 20),
+            pitch_degrees: turn(30),
+            roll_degrees: 0.0,
+            background: [0; 3],
+            ..View::default()
+        }
+    }
+
+    /// Where what is made of it lies: it can be removed at any time.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the folder cannot be made.
+    pub(super) fn folder(&self) -> Result<PathBuf> {
+        let folder = firmware::target_directory().join("report").join(&self.name);
+        fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
+        Ok(folder)
+    }
+
+    /// The model as it is converted for a firmware.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if it cannot be converted.
+    pub(super) fn model(&self) -> Result<Model> {
+        Ok(Model::load(&self.file, &options(None))?)
+    }
+
+    /// The model whose pictures are true: its textures are as large as their files, up to 1,024.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if it cannot be converted.
+    pub(super) fn true_model(&self) -> Result<Model> {
+        let texture = TextureOptions {
+            size: Some([1024, 1024]),
+            format: TexelFormat::Direct,
+            color: ColorFormat::Rgb888,
+            ..TextureOptions::default()
+        };
+        Ok(Model::load(&self.file, &options(Some(texture)))?)
+    }
+}
+
+/// The files of the scenes that come with the project.
+pub(super) fn shipped() -> Vec<PathBuf> {
+    in_folder(&firmware::root().join("host-tools/models"), &SHIPPED)
+}
+
+/// The files of the scenes that do not.
+pub(super) fn foreign(folder: &Path) -> Vec<PathBuf> {
+    in_folder(folder, &FOREIGN)
+}
+
+fn in_folder(folder: &Path, names: &[&str]) -> Vec<PathBuf> {
+    names.iter().map(|name| folder.join(name).with_extension("obj")).collect()
+}
+
+/// Those of `convert`, apart from the textures and the name.
+fn options(textures: Option<TextureOptions>) -> Options {
+    Options {
+        textures: textures.or(Some(TextureOptions::default())),
+        name: Some("model".into()),
+        ..Options::default()
+    }
+}
+
+/// The tables of a model in a file of Rust.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Tables {
+    has_mip_levels: bool,
+    pub(super) path: PathBuf,
+}
+
+impl Tables {
+    /// Writes the tables that some choices need into a folder.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the model cannot be converted, or a file not be written.
+    pub(super) fn write(scene: &Scene, choices: &[Choice], folder: &Path) -> Result<Vec<Self>> {
+        let mut tables = Vec::new();
+        for has_mip_levels in [false, true] {
+            if !choices.iter().any(|choice| choice.has_mip_levels() == has_mip_levels) {
+                continue;
+            }
+            let texture = TextureOptions {
+                format: TexelFormat::Direct,
+                color: ColorFormat::Rgb565Be,
+                mipmaps: has_mip_levels,
+                ..TextureOptions::default()
+            };
+            let model = Model::load(&scene.file, &options(Some(texture)))?;
+            let path = folder.join(name(has_mip_levels)).with_extension("rs");
+            let text = emit::source(&model);
+            if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
+                write_atomically(&path, text)?;
+            }
+            tables.push(Self { has_mip_levels, path });
+        }
+        Ok(tables)
+    }
+
+    pub(super) const fn module(&self) -> &'static str {
+        name(self.has_mip_levels)
+    }
+
+    /// The module with the tables of a choice.
+    pub(super) fn module_of(choice: &Choice) -> &'static str {
+        name(choice.has_mip_levels())
+    }
+}
+
+const fn name(has_mip_levels: bool) -> &'static str {
+    if has_mip_levels { "tables_with_mip_levels" } else { "tables" }
+}
