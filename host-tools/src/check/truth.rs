@@ -1,5 +1,5 @@
-//! What a camera would see: light at each point, textures in the file's own resolution, and the mean
-//! over each pixel's area. Every choice that a renderer makes has its error against this picture.
+//! What a camera would see: light at each point, textures in the file's own resolution, and the
+//! mean over each pixel's area. Every choice of a renderer has its error against this picture.
 
 use super::{
     shiny,

@@ -35,6 +35,7 @@ Examples:
   cargo run --quiet --release --package measure -- cycles --test
   cargo run --quiet --release --package measure -- scaling
   cargo run --quiet --release --package measure -- size
+  cargo run --quiet --release --package measure -- report model.obj
 
 Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is
 missing.";

@@ -1,5 +1,5 @@
-//! Prints the cost of bands that keep vertices, bins or neither, without their pixels. It is 0 on
-//! the host, where nothing counts instructions.
+//! Prints the cost of bands that keep vertices, bins or neither, without their pixels. On the host
+//! it is in nanoseconds.
 
 #![cfg_attr(target_os = "none", no_std, no_main)]
 

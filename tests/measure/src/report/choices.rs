@@ -14,9 +14,9 @@ pub(super) enum Shading {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) enum Correction {
     Affine,
-    /// Exact at every so many pixels.
+    /// Exact at every N-th pixel of a span.
     Every(u32),
-    /// Within so many sixteenths of a texel.
+    /// Within a tolerance, in sixteenths of a texel.
     Adaptive(u32),
     EveryPixel,
 }

@@ -11,8 +11,8 @@ pub(super) struct Errors {
     pub(super) rms: f64,
     /// The same over pixels that the model covers as a whole: no outline.
     pub(super) rms_inside: f64,
-    /// Of the means of squares of 8 by 8 pixels that the model covers as a whole: what an eye that is
-    /// far enough away sees of dithering.
+    /// Of the means of squares of 8 by 8 pixels that the model covers as a whole: what an eye sees
+    /// of dithering from far enough away.
     pub(super) rms_squares: f64,
     /// What 99.9 % of the pixels' worst channels do not exceed.
     pub(super) p999: f64,

@@ -66,7 +66,7 @@ impl Point {
 pub(super) struct Measured {
     pub(super) scene: Scene,
     /// How far the true picture is off one of four times as many samples, in the same unit as the
-    /// errors: what is below it says nothing.
+    /// errors. A smaller error is not significant.
     pub(super) reference_rms: f64,
     pub(super) points: Vec<Point>,
     pub(super) splits: Vec<Split>,

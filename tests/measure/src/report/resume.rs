@@ -99,3 +99,24 @@ pub(super) fn keep(fingerprint: u64, found: &Found) -> Result<()> {
     let text = serde_json::to_string(&Kept { fingerprint, found: found.clone() })?;
     Ok(write_atomically(&path, text)?)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn hash_of(path: &Path) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        hash(path, &mut hasher).unwrap();
+        hasher.finish()
+    }
+
+    #[test]
+    fn what_figures_depend_on_exists_and_differs() {
+        let all: Vec<_> =
+            SOURCES.iter().map(|path| hash_of(&firmware::root().join(path))).collect();
+        let mut distinct = all.clone();
+        distinct.sort_unstable();
+        distinct.dedup();
+        assert_eq!(distinct.len(), all.len());
+    }
+}

@@ -89,8 +89,8 @@ fn pictures(folder: &Path, line: &Line) -> Result<Vec<Picture>> {
     (0..line.frames).map(picture).collect()
 }
 
-/// Counts what the frames of each choice take on a core, all in one program. Returns the counts, the
-/// number of frames, and the conditions.
+/// Counts what the frames of each choice take on a core, all in one program. Returns the counts
+/// with the number of frames, and the conditions.
 ///
 /// # Errors
 ///
@@ -142,4 +142,19 @@ fn lines<'a>(lines: impl Iterator<Item = &'a str>) -> Result<Vec<Line>> {
             .with_context(|| format!("the firmware has printed `{line}` instead of a choice"))
     };
     lines.skip(1).map(parse).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_line_is_no_choice() {
+        let line = r#"{"choice":"flat","frames":8,"hash":"0123abcd","ticks":7}"#;
+        let found = lines(["opt-level 3", line].into_iter()).unwrap();
+        let hash = "0123abcd".to_owned();
+        assert_eq!(found, [Line { choice: "flat".into(), frames: 8, hash, ticks: 7 }]);
+        let error = lines(["opt-level 3", "panicked"].into_iter()).unwrap_err();
+        assert!(error.to_string().contains("`panicked`"));
+    }
 }
