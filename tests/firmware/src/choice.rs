@@ -81,6 +81,7 @@ pub type Shared<C> = Mutex<RefCell<Memory<C>>>;
 impl<C: Copy> Memory<C> {
     /// For a static, with the colour of the background.
     #[must_use]
+    #[expect(clippy::large_stack_arrays, reason = "it is computed when this is compiled")]
     pub const fn shared(background: C) -> Shared<C> {
         Mutex::new(RefCell::new(Self {
             color: [background; PIXELS],

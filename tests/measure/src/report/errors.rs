@@ -75,10 +75,11 @@ fn add_squares(picture: &[[u8; 3]], truth: &Truth, squares: &mut Mean) {
         if places.iter().any(|&place| truth.coverage[place] < 1.0) {
             continue;
         }
-        for channel in 0..3 {
-            let off =
-                |&place: &usize| f64::from(picture[place][channel]) - truth.colors[place][channel];
-            let mean = places.iter().map(off).sum::<f64>() / places.len() as f64;
+        let sums = places.iter().fold([0.0; 3], |sums: [f64; 3], &place| {
+            let off = |i: usize| f64::from(picture[place][i]) - truth.colors[place][i];
+            [0, 1, 2].map(|i| sums[i] + off(i))
+        });
+        for mean in sums.map(|sum| sum / places.len() as f64) {
             squares.add(mean * mean);
         }
     }

@@ -45,7 +45,7 @@ Exit status: 0 if all is well, 2 for bad usage or if something is missing.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// OBJ files [default: three models of the project, and of RASTERIZER_MODELS if it is set]
+    /// OBJ files [default: three models of the project, and two of `RASTERIZER_MODELS`]
     #[arg(value_name = "MODEL.obj", conflicts_with = "save")]
     models: Vec<PathBuf>,
     /// A core to count on; may be repeated
