@@ -211,7 +211,7 @@
 //!
 //! | what | format | range, error |
 //! |---|---|---|
-//! | world coordinates | Q16.16 | ±32,768 |
+//! | world coordinates | Q16.16 | ±32,768; a step is f / w 2<sup>-16</sup> pixels, with the focal length f in pixels, from the distance w |
 //! | directions, matrices | Q2.30 | orthonormal within 2<sup>-26</sup> |
 //! | positions in a mesh | 16 bits times the mesh's [`Scale`](numbers::Scale) | half a quantum: 1/131,068 of the longest side |
 //! | places on the screen | sub-pixels, 4 or 8 bits behind the point | half a sub-pixel of snapping and 1/8 of arithmetic, for objects up to some hundred near distances wide with 4 bits, some hundred thousand with 8 ([`PoseError`](geometry::PoseError) has the limit, beyond which an object is refused); ±1,024 pixels about the viewport's middle |

@@ -54,6 +54,11 @@ impl DepthFormat for u16 {
 /// its depth is within 2<sup>-27</sup> of it, and its distance w within 4 units of clip space, a
 /// 2<sup>28</sup>th of the object's largest coordinate ([`PoseError`](crate::geometry::PoseError)).
 /// So the last bits tell neighbouring pixels of one surface apart, not two surfaces.
+///
+/// In every format snapping moves a plane too, by up to 5/8 of a sub-pixel in x and in y. Two
+/// planes tilted by an angle t are certain to be told apart only if they are farther from each
+/// other than 1.8 tan t / (f 2<sup>S</sup>) of their distance, with the focal length f in pixels
+/// and S sub-pixel bits.
 impl DepthFormat for u32 {
     #[inline(always)]
     fn from_fraction(q32: u32) -> Self {

@@ -9,8 +9,9 @@ use super::{Scalar, Turn, Vec3, codegen, root::unit};
 /// A rotation: a matrix in Q30 that multiplies column vectors from the left.
 ///
 /// Its rows are orthonormal within 2<sup>-26</sup>; those of [`from_rows`](Self::from_rows) within
-/// 2<sup>-20</sup>. Each product of two rotations may add 2<sup>-29</sup> to that:
-/// [`compose`](Self::compose) keeps it, however often an angle is added to another.
+/// 2<sup>-20</sup>. A product of two rotations is off by what both are, together, and by up to
+/// 2<sup>-29</sup> more: by n 2<sup>-26</sup> and n 2<sup>-29</sup> after n factors.
+/// [`compose`](Self::compose) keeps 2<sup>-26</sup>, however often an angle is added to another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Rotation {
     rows: [[I2F30; 3]; 3],
