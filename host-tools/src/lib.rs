@@ -5,3 +5,5 @@ pub mod check;
 pub mod model;
 #[cfg(any(feature = "check", test))]
 pub mod reference;
+#[cfg(feature = "check")]
+pub mod stiffness;

@@ -81,7 +81,6 @@ mod mipmaps;
 mod picture;
 mod point;
 mod polygon;
-#[cfg(test)]
 pub(crate) mod random;
 #[cfg(test)]
 mod ray;

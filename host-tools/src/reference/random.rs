@@ -1,12 +1,12 @@
-//! Random numbers that are the same on every host, for the tests: `SplitMix64` (Steele, Lea and
-//! Flood, OOPSLA 2014).
+//! Random numbers that are the same on every host, for tests and measurements: `SplitMix64`
+//! (Steele, Lea and Flood, OOPSLA 2014).
 
 /// A generator with 64 bits of state; equal seeds give equal sequences on every host.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> u64 {
+    const fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
@@ -20,6 +20,7 @@ impl Random {
 
     /// A multiple of `step` in `low..=high`, both of them multiples of `step`, exact when `step` is
     /// a power of two; any real number for the step 0.
+    #[cfg(test)]
     pub(crate) fn snapped(&mut self, low: f64, high: f64, step: f64) -> f64 {
         if step == 0.0 {
             return self.real(low, high);

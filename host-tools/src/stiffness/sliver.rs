@@ -1,0 +1,125 @@
+//! Triangles from as high as wide to as flat as a sub-pixel.
+//!
+//! The gradient across a sliver grows with one over its altitude, far beyond the width of a step.
+//! Steps wrap, and at a covered centre the sum is between the corners' numbers again, as exact as
+//! anywhere (`plane.rs` of the core): the curve is flat.
+
+use rasterizer::{
+    attribute::DepthFormat,
+    geometry::ScreenVertex,
+    numbers::{S8, Subpixel as _},
+};
+
+use super::{
+    curve::{Family, Law, powers, sweep},
+    fragments::{Exact, visit},
+};
+use crate::reference::random::Random;
+
+const ABOUT: &str = "\
+Triangles on a base of 64 pixels in a random direction, of this altitude, that cover a centre, with
+random depths at the corners. Stored depth is compared with the plane through the snapped corners in
+exact integers.";
+const PARAMETER: &str = "altitude in pixels";
+const ERROR: &str = "units of depth";
+const LAWS: &[Law] = &[Law {
+    slope: 0.0,
+    tolerance: 0.1,
+    segment: [0.003_906_25, 64.0],
+    why: "steps wrap, so that a gradient of any size is as exact",
+}];
+const BOUND: &str = "1 unit (the crate's table of numbers)";
+const END: &str = "\
+It holds down to the least altitude, a sub-pixel. Without an area a triangle covers no centre.";
+
+/// In 16 bits.
+pub(super) static U16: Family = Family {
+    name: "Slivers, u16",
+    about: ABOUT,
+    parameter: PARAMETER,
+    error: ERROR,
+    laws: LAWS,
+    bound: BOUND,
+    end: END,
+    measure: |instances| {
+        sweep(
+            powers(-8, 6),
+            instances,
+            |_| Some(1.0),
+            |altitude, random| {
+                error(altitude, u32::from(u16::MAX), |depth| depth as u16, i64::from, random)
+            },
+        )
+    },
+};
+
+/// In 32 bits.
+pub(super) static U32: Family = Family {
+    name: "Slivers, u32",
+    about: ABOUT,
+    parameter: PARAMETER,
+    error: ERROR,
+    laws: LAWS,
+    bound: BOUND,
+    end: END,
+    measure: |instances| {
+        sweep(
+            powers(-8, 6),
+            instances,
+            |_| Some(1.0),
+            |altitude, random| error(altitude, u32::MAX, |depth| depth, i64::from, random),
+        )
+    },
+};
+
+/// In pixels.
+const BASE: f64 = 64.0;
+
+fn error<D: DepthFormat>(
+    altitude: f64,
+    most: u32,
+    format: impl Fn(u32) -> D,
+    stored: impl Fn(D) -> i64,
+    random: &mut Random,
+) -> Option<f64> {
+    let unit = f64::from(1 << S8::BITS);
+    let mut worst = None;
+    while worst.is_none() {
+        let [x, y] = [random.real(-500.0, 500.0), random.real(-500.0, 500.0)];
+        let (sin, cos) = random.real(0.0, std::f64::consts::TAU).sin_cos();
+        let along = random.real(0.0, BASE);
+        let corners = [
+            [x, y],
+            [x + cos * BASE, y + sin * BASE],
+            [x + cos * along - sin * altitude, y + sin * along + cos * altitude],
+        ];
+        let corners = corners.map(|corner| corner.map(|c| (c * unit).round() as i32));
+        let depths = [(); 3].map(|()| random.real(1.0, f64::from(most)) as u32);
+        let (exact, at_corners) = (Exact(corners), depths.map(i64::from));
+        let vertices = [0, 1, 2].map(|i| {
+            let [x, y] = corners[i];
+            let vertex = ScreenVertex::<S8, D, [u16; 0]>::checked(x, y, format(depths[i]), []);
+            vertex.expect("it is in the guard band")
+        });
+        visit(&vertices, |pixel, depth, _| {
+            let off = exact.error::<S8>(at_corners, pixel, stored(D::at(depth)), 0).abs();
+            worst = Some(off.max(worst.unwrap_or(0.0)));
+        });
+    }
+    worst
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::curve::tests::holds;
+
+    #[test]
+    fn in_16_bits() {
+        holds(&super::U16);
+    }
+
+    #[test]
+    fn in_32_bits() {
+        holds(&super::U32);
+    }
+}
