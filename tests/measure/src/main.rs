@@ -18,6 +18,7 @@ mod rows;
 mod scaling;
 mod size;
 mod speed;
+mod stiffness;
 mod table;
 
 use std::{
@@ -36,6 +37,7 @@ Examples:
   cargo run --quiet --release --package measure -- scaling
   cargo run --quiet --release --package measure -- size
   cargo run --quiet --release --package measure -- report model.obj
+  cargo run --quiet --release --package measure -- stiffness
 
 Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is
 missing.";
@@ -57,6 +59,7 @@ enum Command {
     Scaling(scaling::Arguments),
     Size(size::Arguments),
     Report(report::Arguments),
+    Stiffness(stiffness::Arguments),
     /// Write tests/measure/RESULTS.md and its chart again, from the saved figures
     Render,
 }
@@ -78,6 +81,7 @@ fn main() -> ExitCode {
         Command::Scaling(arguments) => scaling::run(arguments),
         Command::Size(arguments) => size::run(arguments),
         Command::Report(arguments) => report::run(arguments),
+        Command::Stiffness(arguments) => stiffness::run(arguments),
         Command::Render => results::render().map(|()| Done { text: String::new(), is_good: true }),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {
