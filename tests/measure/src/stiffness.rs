@@ -11,13 +11,13 @@ use host_tools::{
 use crate::{
     Done,
     chart::{self, Axis, Chart, Level, Reference, Scale},
-    progress, results,
+    progress, report, results,
     table::{Column, Table},
 };
 
 const EXAMPLES: &str = "\
 Examples:
-  measure stiffness                 A table for each family of problems
+  measure stiffness                 A table for each family of problems; target/report/stiffness.png
   measure stiffness --save          Write tests/measure/STIFFNESS.md and its chart
 
 Exit status: 0 if all errors are within their bounds, 1 if one is not, 2 for bad usage.";
@@ -59,9 +59,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     drop(progress);
     let sections: Vec<_> = measured.iter().map(|(family, curve)| section(family, curve)).collect();
     let text = sections.join("\n");
+    let charts: Vec<_> = measured.iter().map(|(family, curve)| chart(family, curve)).collect();
+    let svg = chart::svg(&charts, COLUMNS);
     if arguments.save {
         write_atomically(&results::file("../STIFFNESS.md"), format!("{TITLE}\n{text}"))?;
-        write_atomically(&results::file("stiffness.svg"), chart(&measured))?;
+        write_atomically(&results::file("stiffness.svg"), svg)?;
+    } else {
+        let folder = report::folder()?;
+        write_atomically(&folder.join("stiffness.svg"), svg)?;
+        write_atomically(&folder.join("stiffness.png"), chart::png(&charts, COLUMNS)?)?;
     }
     let is_good = measured.iter().all(|(_, curve)| curve.share_of_bound() <= 1.0);
     Ok(Done { text, is_good })
@@ -114,13 +120,11 @@ fn figures(value: f64) -> String {
     }
 }
 
-/// Draws the error of each family, its bound as a dashed line, and where that ends.
-fn chart(measured: &[(&'static Family, Curve)]) -> String {
-    let charts: Vec<_> = measured.iter().map(|(family, curve)| of_family(family, curve)).collect();
-    chart::svg(&charts, 3)
-}
+/// Charts in a row.
+const COLUMNS: usize = 3;
 
-fn of_family(family: &Family, curve: &Curve) -> Chart {
+/// The error of a family, its bound as a dashed line, and where that ends.
+fn chart(family: &Family, curve: &Curve) -> Chart {
     let line = |label: &str, color, height: fn(&Point) -> Option<f64>| {
         let place = |point: &Point| Some([point.parameter, height(point)?].into());
         chart::Curve {

@@ -46,7 +46,7 @@ Exit status: 0 if all is well, 2 for bad usage or if something is missing.";
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
     /// OBJ files [default: three models of the project, and two of `RASTERIZER_MODELS`]
-    #[arg(value_name = "MODEL.obj", conflicts_with = "save")]
+    #[arg(value_name = "MODEL.obj")]
     models: Vec<PathBuf>,
     /// A core to count on; may be repeated
     #[arg(long = "core", value_name = "CORE", default_values = ["m0plus", "m4"])]
@@ -101,11 +101,20 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
         write_atomically(&results::file(FILE), text)?;
         results::render()?;
     } else {
-        let folder = arguments.out.clone();
-        let folder = folder.unwrap_or_else(|| firmware::target_directory().join("report"));
-        write(&report, &folder)?;
+        write(&report, &arguments.out.clone().map_or_else(folder, Ok)?)?;
     }
     Ok(Done { text, is_good: true })
+}
+
+/// Where reports are written unless another place is named.
+///
+/// # Errors
+///
+/// Returns an error if it cannot be made.
+pub(crate) fn folder() -> Result<PathBuf> {
+    let folder = firmware::target_directory().join("report");
+    fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
+    Ok(folder)
 }
 
 /// The models that are compared unless others are named.

@@ -5,7 +5,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, ensure};
 use host_tools::{
     check::{Projection, View},
     model::{ColorFormat, Model, Options, TexelFormat, TextureOptions, emit, write_atomically},
@@ -34,8 +34,13 @@ pub(super) struct Scene {
 /// The size of the display in pixels.
 pub(super) const SIZE: [u32; 2] = [320, 240];
 
-/// The models of the project that are scenes: smooth, with flat colours, with a texture.
-const SHIPPED: [&str; 3] = ["torus_knot", "rocket", "wooden_crate"];
+/// A microcontroller in QEMU has 4 MB: 1.9 MB for pictures, and on the stack up to 48 bytes for a
+/// vertex and 4 for a triangle.
+const MOST_VERTICES: usize = 16_384;
+const MOST_TRIANGLES: usize = 32_768;
+
+/// The models of the project that are scenes: smooth, with a texture, with flat colours.
+const SHIPPED: [&str; 3] = ["torus_knot", "wooden_crate", "rocket"];
 
 /// Those of the folder that `RASTERIZER_MODELS` names.
 const FOREIGN: [&str; 2] = ["suzanne", "spot_textured"];
@@ -45,9 +50,17 @@ impl Scene {
     ///
     /// # Errors
     ///
-    /// Returns an error if it cannot be converted.
+    /// Returns an error if it cannot be converted, or has no faces, or too many.
     pub(super) fn of(file: &Path, frames: u32) -> Result<Self> {
         let model = Model::load(file, &options(None))?;
+        let (vertices, triangles) = (model.report.vertices, model.report.triangles);
+        ensure!(triangles > 0, "{} has no faces to draw", file.display());
+        ensure!(
+            vertices <= MOST_VERTICES && triangles <= MOST_TRIANGLES,
+            "{} has {vertices} vertices and {triangles} triangles: the report's programs have \
+             memory for {MOST_VERTICES} and {MOST_TRIANGLES}",
+            file.display()
+        );
         let name = file.file_stem().context("a model has a name")?.to_string_lossy().into_owned();
         Ok(Self {
             name,
@@ -91,7 +104,7 @@ impl Scene {
     ///
     /// Returns an error if the folder cannot be made.
     pub(super) fn folder(&self) -> Result<PathBuf> {
-        let folder = firmware::target_directory().join("report").join(&self.name);
+        let folder = super::folder()?.join(&self.name);
         fs::create_dir_all(&folder).with_context(|| folder.display().to_string())?;
         Ok(folder)
     }
