@@ -84,8 +84,13 @@ pub(crate) fn spot(out: &Path, folder: &Path, smooth: &Options) -> Result<(), Bo
     Ok(())
 }
 
-/// Converts a model under another name than its file's.
-fn convert(out: &Path, obj: &Path, name: &str, options: Options) -> Result<Model, Box<dyn Error>> {
+/// Converts a model under a name.
+pub(crate) fn convert(
+    out: &Path,
+    obj: &Path,
+    name: &str,
+    options: Options,
+) -> Result<Model, Box<dyn Error>> {
     let model = Model::load(obj, &Options { name: Some(name.to_owned()), ..options })?;
     write_atomically(&out.join(name).with_extension("rs"), emit::source(&model))?;
     Ok(model)
