@@ -100,7 +100,7 @@ pub struct Scene<'a> {
     pub focal_length_px: u32,
     /// The camera's distance from the origin, in units of the model.
     pub distance: &'a str,
-    /// How many of its turns are drawn: the first, see [`pose`].
+    /// How many of its turns are drawn, an eighth of a turn about y each.
     pub frames: u32,
 }
 

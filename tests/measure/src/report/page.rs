@@ -43,6 +43,8 @@ const OMISSIONS: &str = "\
 * Light at each pixel over a texture: the core does not have it.
 * Highlights, several lights, fog and blending: no two choices draw the same there.
 * The painter's algorithm with several samples, and with textures.
+* Sending pixels. With several samples the means are handed to a display one by one, as drivers
+  take them, which is part of their run time.
 * A rasterizer in floating point, for comparison.
 * How a picture changes while its model moves by a part of a pixel (shimmer). S4 places vertices
   within 1/32 of a pixel, S8 within 1/512.
