@@ -23,16 +23,19 @@ choices that no other one beats.
 * **Error** is that of the colours that a display of 320 x 240 shows, in steps of 8 bits: the root
   of the mean square over all pixels that show the model, in the picture or in truth, and over all
   frames. The true picture is drawn in f64 from the numbers of the OBJ file: light at each point of
-  the surface with its smooth normals, textures in their files' size, the mean of 64 samples over each pixel. *inside*
-  leaves out the pixels of the outline; *8x8* is that of the means of squares of pixels, where
-  dithering gains what it loses in each pixel; *99.9 %* and *most* are of a pixel's worst channel.
-* **Run time** is that of a frame, in cycles by the core's [timing table](RESULTS.md#cycles); bars
-  show the range where the table has one. It counts clearing depth, vertices, triangles and
-  pixels, and with several samples their means; not sending them to the display. Points on the
-  steps are counted in a program of their own, others in one that they share (~).
+  the surface with its smooth normals, textures in their files' size, the mean of 64 samples over
+  each pixel. *inside* leaves out the pixels of the outline; *8x8* is that of the means of squares
+  of pixels, where dithering gains what it loses in each pixel; *99.9 %* and *most* are of a pixel's
+  worst channel.
+* **Run time** is that of a frame, in cycles by the core's [timing table][cycles]; bars show the
+  range where the table has one. It counts clearing depth, vertices, triangles and pixels, and with
+  several samples their means. Points on the steps are counted in a program of their own, others in
+  one that they share (~), where the compiler inlines less: they may take some percent less alone.
 * **What cannot be seen** is shaded: rounding to RGB565 alone has the error of its upper edge. The
-  dotted line is the error of the true picture itself, against one of four times as many samples.
+  lower line is the error of the true picture itself, against one of four times as many samples.
 * The picture on a core is that of the host, bit by bit: each run compares their hashes.
+
+[cycles]: RESULTS.md#cycles
 ";
 
 const OMISSIONS: &str = "\
@@ -89,7 +92,9 @@ pub(super) fn page(report: &Report, advice: &str, picture: impl Fn(&str) -> Stri
 fn table(measured: &Measured, cores: &[Core]) -> Table {
     let mut headings = vec!["choice", "RMS", "inside", "8x8", "99.9 %", "most", "PSNR"];
     headings.extend(cores.iter().map(|core| core.title()));
-    headings.push("host, \u{b5}s");
+    if cores.is_empty() {
+        headings.extend(["here, \u{b5}s", "least", "most"]);
+    }
     let mut table = Table::new(1, &headings);
     let first = cores.first().copied();
     let mut points: Vec<_> = measured.points.iter().collect();
@@ -110,7 +115,10 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
                 format!("{shared}{}", count(cost.figure()))
             }));
         }
-        cells.push(count(nanoseconds[1] / 1000));
+        if cores.is_empty() {
+            let [least, median, most] = *nanoseconds;
+            cells.extend([median, least, most].map(|time| count(time / 1000)));
+        }
         table.row(cells);
     }
     table
