@@ -133,13 +133,14 @@ fn default_models(to_be_saved: bool) -> Result<Vec<PathBuf>> {
 /// Measures the scenes that no earlier run has.
 fn measure(files: &[PathBuf], frames: u32, cores: Vec<Core>) -> Result<Report> {
     let scenes = files.iter().map(|file| Scene::of(file, frames)).collect::<Result<Vec<_>>>()?;
-    let progress = progress::over(scenes.len() * (points::STEPS + cores.len()));
+    let steps = |scene: &Scene| points::steps(scene, cores.len());
+    let progress = progress::over(scenes.iter().map(steps).sum());
     let mut report = Report { cores, conditions: Vec::new(), scenes: Vec::new() };
     for scene in scenes {
         let fingerprint = resume::fingerprint(&scene, &report.cores)?;
         let (measured, conditions) = match resume::kept(&scene, fingerprint)? {
             Some(kept) => {
-                progress.inc((points::STEPS + report.cores.len()) as u64);
+                progress.inc(points::steps(&scene, report.cores.len()) as u64);
                 kept
             }
             None => {

@@ -29,8 +29,7 @@ choices that no other one beats.
   worst channel.
 * **Run time** is that of a frame, in cycles by the core's [timing table][cycles]; bars show the
   range where the table has one. It counts clearing depth, vertices, triangles and pixels, and with
-  several samples their means. Points on the steps are counted in a program of their own, others in
-  one that they share (~), where the compiler inlines less: they may take some percent less alone.
+  several samples their means.
 * **What cannot be seen** is shaded: rounding to RGB565 alone has the error of its upper edge. The
   lower line is the error of the true picture itself, against one of four times as many samples.
 * The picture on a core is that of the host, bit by bit: each run compares their hashes.
@@ -110,10 +109,7 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
         cells.extend([errors.p999, errors.max].map(|error| format!("{error:.0}")));
         cells.push(format!("{:.1} dB", errors.psnr_db()));
         for &core in cores {
-            cells.push(point.cost(core).map_or_else(String::new, |cost| {
-                let shared = if cost.is_alone { "" } else { "~" };
-                format!("{shared}{}", count(cost.figure()))
-            }));
+            cells.push(point.cost(core).map_or_else(String::new, |cost| count(cost.figure())));
         }
         if cores.is_empty() {
             let [least, median, most] = *nanoseconds;
@@ -186,7 +182,7 @@ pub(super) fn csv(report: &Report) -> String {
     let mut text = String::from("scene,choice,rms,rms_inside,rms_squares,p999,max,host_ns");
     for core in &report.cores {
         let name = core.facts().name;
-        let _ = write!(text, ",{name}_instructions,{name}_cycles,{name}_alone");
+        let _ = write!(text, ",{name}_instructions,{name}_cycles");
     }
     text.push('\n');
     for measured in &report.scenes {
@@ -209,8 +205,7 @@ pub(super) fn csv(report: &Report) -> String {
                 let of = |value: Option<u64>| value.map_or_else(String::new, |v| v.to_string());
                 let instructions = of(cost.map(|cost| cost.instructions));
                 let cycles = of(cost.and_then(|cost| cost.cycles).map(|[_, cycles, _]| cycles));
-                let is_alone = cost.is_some_and(|cost| cost.is_alone);
-                let _ = write!(text, ",{instructions},{cycles},{is_alone}");
+                let _ = write!(text, ",{instructions},{cycles}");
             }
             text.push('\n');
         }

@@ -10,7 +10,6 @@ use serde::{Deserialize, Serialize};
 use super::{
     choices::Choice,
     errors::{self, Errors},
-    front::front,
     run::{self, Drawn},
     scenes::Scene,
     split::{self, Split, Texels},
@@ -25,9 +24,6 @@ pub(super) struct Cost {
     /// By the core's timing table, if there is one: the least, the figure that is compared, and the
     /// most of its models in memory without waiting.
     pub(super) cycles: Option<[u64; 3]>,
-    /// Whether it was counted in a program of its own. Others share one with all choices of the
-    /// scene, where the compiler inlines less of what they share.
-    pub(super) is_alone: bool,
 }
 
 impl Cost {
@@ -73,8 +69,10 @@ pub(super) struct Measured {
     pub(super) texels: Vec<Texels>,
 }
 
-/// Steps of progress for a scene, apart from its cores.
-pub(super) const STEPS: usize = 3;
+/// Steps of progress for a scene: pictures, the reference, causes, and the choices on each core.
+pub(super) fn steps(scene: &Scene, cores: usize) -> usize {
+    3 + scene.choices().len() * cores
+}
 
 /// Samples along a side of a pixel of the true picture.
 pub(super) const TRUE_SAMPLES: usize = 8;
@@ -95,12 +93,7 @@ impl Measured {
             progress.set_message(format!("{what} of {}", scene.name));
         };
         step("pictures");
-        let mut choices: Vec<Choice> = Vec::new();
-        for choice in scene.methods().into_iter().flat_map(|method| method.choices) {
-            if !choices.contains(&choice) {
-                choices.push(choice);
-            }
-        }
+        let choices = scene.choices();
         let folder = scene.folder()?;
         let drawn = run::on_host(&scene, &choices, &folder)?;
         step("reference");
@@ -126,47 +119,37 @@ impl Measured {
         let (splits, texels) = (split::geometry(&scene, &tables)?, split::texels(&scene, &tables)?);
         let mut conditions = Vec::new();
         for &core in cores {
-            step(core.title());
-            conditions.push((core, count(&scene, core, &mut points, &drawn)?));
+            conditions.push((core, count(&scene, core, &mut points, &drawn, progress)?));
         }
         Ok((Self { scene, reference_rms, points, splits, texels }, conditions))
     }
 }
 
-/// Counts all choices in one program, and then those on the front each in its own, until all on the
-/// front are.
+/// Counts each choice in a program of its own. In one for all, the compiler inlines less of what
+/// they share, and some take 15 % more.
 fn count(
     scene: &Scene,
     core: Core,
     points: &mut [Point],
     drawn: &HashMap<String, Drawn>,
+    progress: &ProgressBar,
 ) -> Result<Conditions> {
     let plugin = Plugin::build(core)?;
     let folder = scene.folder()?;
-    let set = |points: &mut [&mut Point], is_alone| -> Result<Conditions> {
-        let choices: Vec<_> = points.iter().map(|point| point.choice).collect();
-        let (counted, conditions) = run::on_core(&plugin, core, scene, &choices, &folder, drawn)?;
-        for (point, (counts, frames)) in points.iter_mut().zip(counted) {
-            let mean = |sum: u64| (sum + frames / 2) / frames;
-            let cycles = Timing::of(core).map(|timing| timing.range(&counts).map(mean));
-            let cost = Cost { core, instructions: mean(counts.instructions), cycles, is_alone };
-            point.costs.retain(|cost| cost.core != core);
-            point.costs.push(cost);
-        }
-        Ok(conditions)
-    };
-    let conditions = set(&mut points.iter_mut().collect::<Vec<_>>(), false)?;
-    loop {
-        let places: Vec<_> = points
-            .iter()
-            .map(|point| [point.figure(Some(core)).unwrap_or(0) as f64, point.errors.rms])
-            .collect();
-        let shared = front(&places)
-            .into_iter()
-            .find(|&place| points[place].cost(core).is_some_and(|cost| !cost.is_alone));
-        match shared {
-            Some(place) => set(&mut [&mut points[place]], true).map(|_| ())?,
-            None => return Ok(conditions),
-        }
+    let mut last = None;
+    for point in points {
+        progress.inc(1);
+        progress.set_message(format!(
+            "{} of {} on {}",
+            point.choice.name(),
+            scene.name,
+            core.title()
+        ));
+        let counted = run::on_core(&plugin, core, scene, point.choice, &folder, drawn)?;
+        let mean = |sum: u64| (sum + counted.frames / 2) / counted.frames;
+        let cycles = Timing::of(core).map(|timing| timing.range(&counted.counts).map(mean));
+        point.costs.push(Cost { core, instructions: mean(counted.counts.instructions), cycles });
+        last = Some(counted.conditions);
     }
+    last.with_context(|| format!("{} has no choices", scene.name))
 }

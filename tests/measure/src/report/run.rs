@@ -7,7 +7,7 @@ use std::{
     process::Command,
 };
 
-use anyhow::{Context as _, Result, ensure};
+use anyhow::{Context as _, Result, bail, ensure};
 use host_tools::model::write_atomically;
 use serde::Deserialize;
 
@@ -89,8 +89,16 @@ fn pictures(folder: &Path, line: &Line) -> Result<Vec<Picture>> {
     (0..line.frames).map(picture).collect()
 }
 
-/// Counts what the frames of each choice take on a core, all in one program. Returns the counts
-/// with the number of frames, and the conditions.
+/// What the frames of a choice take on a core.
+#[derive(Clone, Debug)]
+pub(super) struct Counted {
+    /// A sum over the frames.
+    pub(super) counts: Counts,
+    pub(super) frames: u64,
+    pub(super) conditions: Conditions,
+}
+
+/// Counts the frames of a choice on a core.
 ///
 /// # Errors
 ///
@@ -99,32 +107,28 @@ pub(super) fn on_core(
     plugin: &Plugin,
     core: Core,
     scene: &Scene,
-    choices: &[Choice],
+    choice: Choice,
     folder: &Path,
     drawn: &HashMap<String, Drawn>,
-) -> Result<(Vec<(Counts, u64)>, Conditions)> {
-    let source = write(scene, choices, folder, core.facts().name)?;
+) -> Result<Counted> {
+    let source = write(scene, &[choice], folder, core.facts().name)?;
     let output = plugin.run(&firmware::build_choices(Some(core), &source)?)?;
     let lines = lines(output.lines.iter().map(String::as_str))?;
+    let ([line], [stages]) = (lines.as_slice(), output.reports.as_slice()) else {
+        bail!("one choice has {} lines and {} reports", lines.len(), output.reports.len());
+    };
     ensure!(
-        lines.len() == choices.len() && output.reports.len() == choices.len(),
-        "{} choices, {} lines and {} reports",
-        choices.len(),
-        lines.len(),
-        output.reports.len()
+        drawn.get(&line.choice).is_some_and(|drawn| drawn.hash == line.hash),
+        "{} of {} on {} is not the picture of the host",
+        line.choice,
+        scene.name,
+        core.title()
     );
-    let counted = lines.into_iter().zip(&output.reports).map(|(line, stages)| {
-        let hash = drawn.get(&line.choice).map(|drawn| drawn.hash.as_str());
-        ensure!(
-            hash == Some(line.hash.as_str()),
-            "{} of {} on {} is not the picture of the host",
-            line.choice,
-            scene.name,
-            core.title()
-        );
-        Ok((stages.clear + stages.vertices + stages.draw, line.frames))
-    });
-    Ok((counted.collect::<Result<_>>()?, Conditions::of(core, &output.lines)?))
+    Ok(Counted {
+        counts: stages.clear + stages.vertices + stages.draw,
+        frames: line.frames.max(1),
+        conditions: Conditions::of(core, &output.lines)?,
+    })
 }
 
 /// Writes the source of a program, with the tables beside it.

@@ -77,6 +77,17 @@ impl Scene {
         if self.is_textured { choices::of_texture() } else { choices::of_colors() }
     }
 
+    /// All choices of the methods, each once.
+    pub(super) fn choices(&self) -> Vec<Choice> {
+        let mut choices: Vec<Choice> = Vec::new();
+        for choice in self.methods().into_iter().flat_map(|method| method.choices) {
+            if !choices.contains(&choice) {
+                choices.push(choice);
+            }
+        }
+        choices
+    }
+
     /// The view of a frame in the host tools.
     pub(super) fn view(&self, frame: u32) -> View {
         let turn = |steps: u32| f64::from(steps) / 512.0 * 360.0;
