@@ -176,7 +176,8 @@ pub(crate) fn rendered() -> Result<Vec<(String, Vec<u8>)>> {
     let mut files = vec![(PAGE.to_owned(), page.into_bytes())];
     files.push(("report.csv".to_owned(), page::csv(&report).into_bytes()));
     for measured in &report.scenes {
-        let svg = chart::svg(&diagrams(&report, measured), COLUMNS);
+        let charts = diagrams(&report, measured);
+        let svg = chart::svg(&charts, columns(&charts));
         files.push((name(&measured.scene.name), svg.into_bytes()));
     }
     Ok(files)
@@ -193,8 +194,10 @@ fn diagrams(report: &Report, measured: &Measured) -> Vec<chart::Chart> {
     cores.into_iter().flat_map(of_core).collect()
 }
 
-/// Diagrams in a row.
-const COLUMNS: usize = 2;
+/// Diagrams in a row: up to two.
+fn columns(charts: &[chart::Chart]) -> usize {
+    charts.len().min(2)
+}
 
 /// Writes a report into a folder.
 fn write(report: &Report, folder: &Path) -> Result<()> {
@@ -202,8 +205,8 @@ fn write(report: &Report, folder: &Path) -> Result<()> {
     let write = |name: String, bytes: Vec<u8>| write_atomically(&folder.join(name), bytes);
     for measured in &report.scenes {
         let (name, charts) = (&measured.scene.name, diagrams(report, measured));
-        write(format!("{name}.svg"), chart::svg(&charts, COLUMNS).into_bytes())?;
-        write(format!("{name}.png"), chart::png(&charts, COLUMNS)?)?;
+        write(format!("{name}.svg"), chart::svg(&charts, columns(&charts)).into_bytes())?;
+        write(format!("{name}.png"), chart::png(&charts, columns(&charts))?)?;
     }
     let page = page::page(report, "", |name| format!("{name}.svg"));
     write("report.md".into(), page.into_bytes())?;
