@@ -9,7 +9,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use host_tools::model::{Options, convert_for_build};
+use host_tools::model::{Model, Options, convert_for_build, emit, write_atomically};
 
 #[path = "build/textures.rs"]
 mod textures;
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let edges_degrees = ["ball", "sphere"].contains(&name).then_some(0.0);
         // Not by `convert_for_build`: Cargo would run this again at each build, for a file that is
         // newer than its last run.
-        textures::convert(&out, &path, name, Options { edges_degrees, ..options.clone() })?;
+        convert(&out, &path, name, Options { edges_degrees, ..options.clone() })?;
     }
     textures::cube(&out, &options)?;
     textures::wooden_crate(&out, &options)?;
@@ -59,6 +59,13 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     println!("cargo::rustc-env=OPT_LEVEL={}", env::var("OPT_LEVEL")?);
     link()
+}
+
+/// Converts a model under a name.
+fn convert(out: &Path, obj: &Path, name: &str, options: Options) -> Result<Model, Box<dyn Error>> {
+    let model = Model::load(obj, &Options { name: Some(name.to_owned()), ..options })?;
+    write_atomically(&out.join(name).with_extension("rs"), emit::source(&model))?;
+    Ok(model)
 }
 
 /// Sets the memory of the board in QEMU, or that of another board, which `FIRMWARE_MEMORY` names as

@@ -9,7 +9,7 @@ use embedded_graphics_core::{
 use rasterizer::{
     attribute::{DepthFormat, Interpolate, Step as _},
     geometry::ScreenVertex,
-    numbers::Subpixel,
+    numbers::{S8, Subpixel},
     raster::{Layout, Primitive as _, Triangle, Window},
 };
 
@@ -42,6 +42,17 @@ pub(super) fn visit<S: Subpixel, D: DepthFormat, V: Interpolate>(
         }
         Ok::<(), Infallible>(())
     });
+}
+
+/// The corners of a triangle, in sub-pixels, with depths and nothing else.
+pub(super) fn corners<D: DepthFormat>(
+    places: [[i32; 2]; 3],
+    depths: [D; 3],
+) -> [ScreenVertex<S8, D, [u16; 0]>; 3] {
+    [0, 1, 2].map(|i| {
+        let [x, y] = places[i];
+        ScreenVertex::checked(x, y, depths[i], []).expect("it is in the guard band")
+    })
 }
 
 /// A triangle whose corners are in sub-pixels, in exact integers.

@@ -6,13 +6,12 @@
 
 use rasterizer::{
     attribute::DepthFormat,
-    geometry::ScreenVertex,
     numbers::{S8, Subpixel as _},
 };
 
 use super::{
-    curve::{Family, Law, powers, sweep},
-    fragments::{Exact, visit},
+    curve::{Family, Law, Point, powers, sweep},
+    fragments::{self, Exact, visit},
 };
 use crate::reference::random::Random;
 
@@ -20,66 +19,51 @@ const ABOUT: &str = "\
 Triangles on a base of 64 pixels in a random direction, of this altitude, that cover a centre, with
 random depths at the corners. Stored depth is compared with the plane through the snapped corners in
 exact integers.";
-const PARAMETER: &str = "altitude in pixels";
-const ERROR: &str = "units of depth";
-const LAWS: &[Law] = &[Law {
-    slope: 0.0,
-    tolerance: 0.1,
-    segment: [0.003_906_25, 64.0],
-    why: "steps wrap, so that a gradient of any size is as exact",
-}];
-const BOUND: &str = "1 unit (the crate's table of numbers)";
-const END: &str = "\
-It holds down to the least altitude, a sub-pixel. Without an area a triangle covers no centre.";
 
 /// In 16 bits.
-pub(super) static U16: Family = Family {
-    name: "Slivers, u16",
-    about: ABOUT,
-    parameter: PARAMETER,
-    error: ERROR,
-    laws: LAWS,
-    bound: BOUND,
-    end: END,
-    measure: |instances| {
-        sweep(
-            powers(-8, 6),
-            instances,
-            |_| Some(1.0),
-            |altitude, random| {
-                error(altitude, u32::from(u16::MAX), |depth| depth as u16, i64::from, random)
-            },
-        )
-    },
-};
+pub(super) static U16: Family = family("Slivers, u16", |instances| {
+    measure(instances, u32::from(u16::MAX), |depth| depth as u16)
+});
 
 /// In 32 bits.
-pub(super) static U32: Family = Family {
-    name: "Slivers, u32",
-    about: ABOUT,
-    parameter: PARAMETER,
-    error: ERROR,
-    laws: LAWS,
-    bound: BOUND,
-    end: END,
-    measure: |instances| {
-        sweep(
-            powers(-8, 6),
-            instances,
-            |_| Some(1.0),
-            |altitude, random| error(altitude, u32::MAX, |depth| depth, i64::from, random),
-        )
-    },
-};
+pub(super) static U32: Family =
+    family("Slivers, u32", |instances| measure(instances, u32::MAX, |depth| depth));
+
+const fn family(name: &'static str, measure: fn(usize) -> Vec<Point>) -> Family {
+    Family {
+        name,
+        about: ABOUT,
+        parameter: "altitude in pixels",
+        error: "units of depth",
+        laws: &[Law {
+            slope: 0.0,
+            tolerance: 0.1,
+            segment: [0.003_906_25, 64.0],
+            why: "steps wrap, so that a gradient of any size is as exact",
+        }],
+        bound: "1 unit (the crate's table of numbers)",
+        end: "It holds down to the least altitude, a sub-pixel. Without an area a triangle covers \
+              no centre.",
+        measure,
+    }
+}
+
+fn measure<D: DepthFormat + Into<i64>>(
+    instances: usize,
+    most: u32,
+    format: fn(u32) -> D,
+) -> Vec<Point> {
+    let error = |altitude, random: &mut Random| error(altitude, most, format, random);
+    sweep(powers(-8, 6), instances, |_| Some(1.0), error)
+}
 
 /// In pixels.
 const BASE: f64 = 64.0;
 
-fn error<D: DepthFormat>(
+fn error<D: DepthFormat + Into<i64>>(
     altitude: f64,
     most: u32,
-    format: impl Fn(u32) -> D,
-    stored: impl Fn(D) -> i64,
+    format: fn(u32) -> D,
     random: &mut Random,
 ) -> Option<f64> {
     let unit = f64::from(1 << S8::BITS);
@@ -96,13 +80,9 @@ fn error<D: DepthFormat>(
         let corners = corners.map(|corner| corner.map(|c| (c * unit).round() as i32));
         let depths = [(); 3].map(|()| random.real(1.0, f64::from(most)) as u32);
         let (exact, at_corners) = (Exact(corners), depths.map(i64::from));
-        let vertices = [0, 1, 2].map(|i| {
-            let [x, y] = corners[i];
-            let vertex = ScreenVertex::<S8, D, [u16; 0]>::checked(x, y, format(depths[i]), []);
-            vertex.expect("it is in the guard band")
-        });
+        let vertices = fragments::corners(corners, depths.map(format));
         visit(&vertices, |pixel, depth, _| {
-            let off = exact.error::<S8>(at_corners, pixel, stored(D::at(depth)), 0).abs();
+            let off = exact.error::<S8>(at_corners, pixel, D::at(depth).into(), 0).abs();
             worst = Some(off.max(worst.unwrap_or(0.0)));
         });
     }

@@ -7,13 +7,12 @@
 
 use rasterizer::{
     attribute::DepthFormat,
-    geometry::ScreenVertex,
     numbers::{S8, Subpixel as _},
 };
 
 use super::{
     curve::{Family, Law, powers, sweep},
-    fragments::{Exact, visit},
+    fragments::{self, Exact, visit},
 };
 use crate::reference::random::Random;
 
@@ -95,11 +94,7 @@ fn error<D: DepthFormat>(
     let corners = corners.map(|corner| corner.map(|c| (c * unit) as i32));
     let depths = [(); 3].map(|()| random.real(1.0, f64::from(most)) as u32);
     let (exact, at_corners) = (Exact(corners), depths.map(i64::from));
-    let vertices = [0, 1, 2].map(|i| {
-        let [x, y] = corners[i];
-        ScreenVertex::<S8, D, [u16; 0]>::checked(x, y, format(depths[i]), [])
-            .expect("it is in the guard band")
-    });
+    let vertices = fragments::corners(corners, depths.map(format));
     let mut worst = 0f64;
     visit(&vertices, |pixel, depth, _| {
         // Half a unit is there for rounding.

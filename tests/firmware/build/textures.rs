@@ -9,9 +9,9 @@ use std::{
     path::Path,
 };
 
-use host_tools::model::{
-    ColorFormat, Model, Options, TexelFormat, Texture, TextureOptions, emit, write_atomically,
-};
+use host_tools::model::{ColorFormat, Options, TexelFormat, Texture, TextureOptions};
+
+use crate::convert;
 
 /// Width and height of all textures.
 const SIDE: u32 = 128;
@@ -82,18 +82,6 @@ pub(crate) fn spot(out: &Path, folder: &Path, smooth: &Options) -> Result<(), Bo
         }
     }
     Ok(())
-}
-
-/// Converts a model under a name.
-pub(crate) fn convert(
-    out: &Path,
-    obj: &Path,
-    name: &str,
-    options: Options,
-) -> Result<Model, Box<dyn Error>> {
-    let model = Model::load(obj, &Options { name: Some(name.to_owned()), ..options })?;
-    write_atomically(&out.join(name).with_extension("rs"), emit::source(&model))?;
-    Ok(model)
 }
 
 /// Writes a picture with edges and slopes of all sizes and hues. None of its texels is so dark that

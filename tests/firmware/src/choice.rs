@@ -11,7 +11,7 @@ use embedded_graphics_core::{
     Pixel,
     draw_target::DrawTarget,
     geometry::{Dimensions, Point},
-    pixelcolor::{Gray8, PixelColor, Rgb565, Rgb888, RgbColor},
+    pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor},
     primitives::Rectangle,
 };
 use rasterizer::{
@@ -64,7 +64,7 @@ macro_rules! shown {
         })*
     };
 }
-shown!(Rgb332, Rgb888, Gray8);
+shown!(Rgb332, Rgb888);
 
 /// The memory of a choice: the largest that one takes.
 #[derive(Debug)]

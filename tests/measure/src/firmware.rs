@@ -23,9 +23,7 @@ pub(crate) fn root() -> PathBuf {
 
 /// Builds a program for a core and returns its path.
 pub(crate) fn build(core: Core, name: &str) -> Result<PathBuf> {
-    let toolchain = Toolchain::find(core)?;
-    run(toolchain.cargo(core), "--bin", &[name])?;
-    Ok(toolchain.output(core).join(name))
+    program(Some(core), name, |_| ())
 }
 
 /// Builds the programs of several scenes for a core at an `opt-level` and returns their folder. The
@@ -40,31 +38,35 @@ pub(crate) fn build_scenes(core: Core, names: &[&str], opt_level: &str) -> Resul
 
 /// Builds a program for the host and returns its path.
 pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
-    let mut command = Command::new(cargo_in_use());
-    command.args(CARGO_ARGUMENTS).arg("--release");
-    run(command, "--bin", &[name])?;
-    Ok(target_directory().join("release").join(name).with_extension(env::consts::EXE_EXTENSION))
+    program(None, name, |_| ())
 }
 
 /// Builds the program of the choices in a file of Rust, for a core or for the host, and returns its
 /// path. The next one for the same target replaces it.
 pub(crate) fn build_choices(core: Option<Core>, choices: &Path) -> Result<PathBuf> {
-    const NAME: &str = "choice";
-    let (mut command, folder) = match core {
+    let choices = path::absolute(choices)?;
+    program(core, "choice", |command| {
+        command.env("CHOICES", choices).args(["--features", "choice"]);
+    })
+}
+
+/// Builds a program for a core or for the host, by a command that `complete` completes, and returns
+/// its path.
+fn program(core: Option<Core>, name: &str, complete: impl FnOnce(&mut Command)) -> Result<PathBuf> {
+    let (mut command, folder, extension) = match core {
         Some(core) => {
             let toolchain = Toolchain::find(core)?;
-            (toolchain.cargo(core), toolchain.output(core))
+            (toolchain.cargo(core), toolchain.output(core), "")
         }
         None => {
             let mut command = Command::new(cargo_in_use());
             command.args(CARGO_ARGUMENTS).arg("--release");
-            (command, target_directory().join("release"))
+            (command, target_directory().join("release"), env::consts::EXE_EXTENSION)
         }
     };
-    command.env("CHOICES", path::absolute(choices)?).args(["--features", NAME]);
-    run(command, "--bin", &[NAME])?;
-    let extension = if core.is_some() { "" } else { env::consts::EXE_EXTENSION };
-    Ok(folder.join(NAME).with_extension(extension))
+    complete(&mut command);
+    run(command, "--bin", &[name])?;
+    Ok(folder.join(name).with_extension(extension))
 }
 
 /// Builds the plugin for QEMU, with these features, and returns its path.

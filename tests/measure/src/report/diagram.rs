@@ -2,7 +2,6 @@
 
 use super::{
     choices::{Choice, Correction},
-    front::front,
     points::{Measured, Point},
 };
 use crate::{
@@ -51,8 +50,7 @@ pub(super) fn diagram(measured: &Measured, core: Option<Core>) -> Chart {
             is_dashed: number >= 5,
         });
     }
-    let places: Vec<_> = measured.points.iter().filter_map(place).collect();
-    let points = front(&places).into_iter().map(|i| places[i].into());
+    let points = measured.front(core).into_iter().filter_map(|point| Some(place(point)?.into()));
     curves.insert(
         0,
         Curve {

@@ -76,9 +76,6 @@ struct Report {
     scenes: Vec<Measured>,
 }
 
-/// Frames of a scene, and of a quick one.
-const FRAMES: [u32; 2] = [8, 2];
-
 pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     let is_on_host = arguments.host || arguments.quick;
     let cores = if is_on_host { Vec::new() } else { Core::or_all(&arguments.cores) };
@@ -89,7 +86,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     if arguments.quick {
         files.truncate(1);
     }
-    let frames = FRAMES[usize::from(arguments.quick)];
+    let frames = if arguments.quick { 2 } else { 8 };
     let report = measure(&files, frames, cores)?;
     let text = if arguments.json {
         rows::to_string(&report)?
@@ -159,7 +156,7 @@ fn measure(files: &[PathBuf], frames: u32, cores: Vec<Core>) -> Result<Report> {
 const FILE: &str = "report.json";
 const PAGE: &str = "../WORK_PRECISION.md";
 
-/// What to pick, by the saved figures.
+/// How the page is made, and what to pick by the saved figures.
 const ADVICE: &str = include_str!("advice.md");
 
 /// The files that are made of the saved figures.

@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 
 use super::{
     Report,
-    front::front,
     points::{Measured, Point},
+    split::{Split, Texels},
 };
 use crate::{
     cores::Core,
@@ -122,12 +122,7 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
 
 /// The cheapest choice for each bound of the error, by halves.
 fn cheapest(measured: &Measured, core: Option<Core>) -> Table {
-    let places: Vec<_> = measured
-        .points
-        .iter()
-        .map(|point| [point.figure(core).unwrap_or(0) as f64, point.errors.rms])
-        .collect();
-    let front = front(&places);
+    let front = measured.front(core);
     let columns: [Column<(f64, &Point, u64)>; 4] = [
         ("error", |(bound, ..)| format!("{bound}")),
         ("choice", |(_, point, _)| point.choice.name()),
@@ -136,12 +131,10 @@ fn cheapest(measured: &Measured, core: Option<Core>) -> Table {
     ];
     let mut last = None;
     let rows = (-1..7).map(|exponent| 2f64.powi(exponent)).filter_map(|bound| {
-        let place = front.iter().copied().find(|&place| places[place][1] <= bound)?;
+        let point = *front.iter().find(|point| point.errors.rms <= bound)?;
         // The closest bound that a choice keeps says the most.
-        (last.replace(place) != Some(place)).then(|| {
-            let point = &measured.points[place];
-            (bound, point, point.figure(core).unwrap_or(0))
-        })
+        let is_new = last.replace(point.choice) != Some(point.choice);
+        is_new.then_some((bound, point, point.figure(core).unwrap_or(0)))
     });
     let mut rows: Vec<_> = rows.collect();
     rows.reverse();
@@ -150,7 +143,7 @@ fn cheapest(measured: &Measured, core: Option<Core>) -> Table {
 
 /// The tables of causes.
 fn causes(measured: &Measured) -> String {
-    let columns: [Column<&super::split::Split>; 8] = [
+    let columns: [Column<&Split>; 8] = [
         ("bits", |split| format!("S{}", split.subpixel)),
         ("depth", |split| split.depth.clone()),
         ("vertices off file, px", |split| format!("{:.4}", split.geometry.off_file_px)),
@@ -167,7 +160,7 @@ fn causes(measured: &Measured) -> String {
         Table::of(2, &columns, &measured.splits)
     );
     if measured.scene.is_textured {
-        let columns: [Column<&super::split::Texels>; 2] = [
+        let columns: [Column<&Texels>; 2] = [
             ("correction", |texels| texels.correction.name()),
             ("most, texels", |texels| format!("{:.4}", texels.most)),
         ];

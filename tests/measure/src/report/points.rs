@@ -10,11 +10,12 @@ use serde::{Deserialize, Serialize};
 use super::{
     choices::Choice,
     errors::{self, Errors},
-    run::{self, Drawn},
+    front::front,
+    run::{Drawn, Programs},
     scenes::Scene,
     split::{self, Split, Texels},
 };
-use crate::{conditions::Conditions, cores::Core, cycles::timing::Timing, plugin::Plugin};
+use crate::{conditions::Conditions, cores::Core, cost, cycles::timing::Timing, plugin::Plugin};
 
 /// What a frame of a choice costs on a core: means over the frames.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -78,6 +79,17 @@ pub(super) fn steps(scene: &Scene, cores: usize) -> usize {
 pub(super) const TRUE_SAMPLES: usize = 8;
 
 impl Measured {
+    /// The points that no other one beats on a core, or on the host: from the cheapest to the most
+    /// exact.
+    pub(super) fn front(&self, core: Option<Core>) -> Vec<&Point> {
+        let place = |point: &Point| {
+            let figure = point.figure(core).map_or(f64::INFINITY, |figure| figure as f64);
+            [figure, point.errors.rms]
+        };
+        let places: Vec<_> = self.points.iter().map(place).collect();
+        front(&places).into_iter().map(|place| &self.points[place]).collect()
+    }
+
     /// Draws a scene by all choices, and counts on the cores.
     ///
     /// # Errors
@@ -94,8 +106,8 @@ impl Measured {
         };
         step("pictures");
         let choices = scene.choices();
-        let folder = scene.folder()?;
-        let drawn = run::on_host(&scene, &choices, &folder)?;
+        let programs = Programs::new(&scene, &choices)?;
+        let drawn = programs.on_host(&choices)?;
         step("reference");
         let model = scene.true_model()?;
         let exact = TrueModel::new(&model);
@@ -119,37 +131,32 @@ impl Measured {
         let (splits, texels) = (split::geometry(&scene, &tables)?, split::texels(&scene, &tables)?);
         let mut conditions = Vec::new();
         for &core in cores {
-            conditions.push((core, count(&scene, core, &mut points, &drawn, progress)?));
+            conditions.push((core, count(&programs, core, &mut points, &drawn, progress)?));
         }
         Ok((Self { scene, reference_rms, points, splits, texels }, conditions))
     }
 }
 
 /// Counts each choice in a program of its own. In one for all, the compiler inlines less of what
-/// they share, and some take 15 % more.
+/// they share, and some take up to 30 % more.
 fn count(
-    scene: &Scene,
+    programs: &Programs<'_>,
     core: Core,
     points: &mut [Point],
     drawn: &HashMap<String, Drawn>,
     progress: &ProgressBar,
 ) -> Result<Conditions> {
     let plugin = Plugin::build(core)?;
-    let folder = scene.folder()?;
     let mut last = None;
     for point in points {
+        let name = point.choice.name();
         progress.inc(1);
-        progress.set_message(format!(
-            "{} of {} on {}",
-            point.choice.name(),
-            scene.name,
-            core.title()
-        ));
-        let counted = run::on_core(&plugin, core, scene, point.choice, &folder, drawn)?;
-        let mean = |sum: u64| (sum + counted.frames / 2) / counted.frames;
+        progress.set_message(format!("{name} of {} on {}", programs.scene.name, core.title()));
+        let counted = programs.on_core(&plugin, core, point.choice, drawn)?;
+        let mean = |sum| cost::mean(sum, counted.frames);
         let cycles = Timing::of(core).map(|timing| timing.range(&counted.counts).map(mean));
         point.costs.push(Cost { core, instructions: mean(counted.counts.instructions), cycles });
         last = Some(counted.conditions);
     }
-    last.with_context(|| format!("{} has no choices", scene.name))
+    last.with_context(|| format!("{} has no choices", programs.scene.name))
 }

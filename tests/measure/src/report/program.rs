@@ -25,7 +25,8 @@ use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor};
 const SUN: Light = Light::new(Vec3::lit(\"-1\", \"2\", \"3\"), Level::lit(\"0.2\"), Level::lit(\"0.8\"));
 ",
     );
-    for table in tables {
+    let is_read = |table: &&Tables| choices.iter().any(|choice| table.are_of(choice));
+    for table in tables.iter().filter(is_read) {
         text += "#[allow(unreachable_pub, missing_docs)]\n";
         text += &format!("mod {} {{ include!({:?}); }}\n", table.module(), table.path);
     }

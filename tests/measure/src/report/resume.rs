@@ -10,23 +10,15 @@ use std::{
 
 use anyhow::{Context as _, Result};
 use host_tools::model::write_atomically;
-use serde::{Deserialize, Serialize};
 
 use super::{points::Measured, scenes::Scene};
 use crate::{conditions::Conditions, cores::Core, firmware};
 
-/// A measured scene, and what it depends on.
-#[derive(Debug, Serialize, Deserialize)]
-struct Kept {
-    fingerprint: u64,
-    found: Found,
-}
-
 /// A scene, and the conditions on each core.
 pub(super) type Found = (Measured, Vec<(Core, Conditions)>);
 
-/// What the figures of all scenes depend on, apart from models and compilers.
-const SOURCES: [&str; 14] = [
+/// What the figures of all scenes depend on, apart from the model's files and compilers.
+const SOURCES: [&str; 17] = [
     "Cargo.lock",
     "Cargo.toml",
     "rasterizer/src",
@@ -36,16 +28,19 @@ const SOURCES: [&str; 14] = [
     "tests/firmware/src",
     "tests/measure/plugin/src",
     "tests/measure/src/cycles/tables.rs",
+    "tests/measure/src/cycles/timing.rs",
     "tests/measure/src/report/choices.rs",
     "tests/measure/src/report/errors.rs",
     "tests/measure/src/report/points.rs",
     "tests/measure/src/report/program.rs",
+    "tests/measure/src/report/run.rs",
     "tests/measure/src/report/scenes.rs",
+    "tests/measure/src/report/split.rs",
 ];
 
 const FILE: &str = "measured.json";
 
-/// A number that changes with the sources, the model's file, the compiler and the cores.
+/// A number that changes with the sources, the model's files, the compiler and the cores.
 ///
 /// # Errors
 ///
@@ -55,7 +50,8 @@ pub(super) fn fingerprint(scene: &Scene, cores: &[Core]) -> Result<u64> {
     for source in SOURCES {
         hash(&firmware::root().join(source), &mut hasher)?;
     }
-    hash(&scene.file, &mut hasher)?;
+    // A library or a picture may be missing.
+    scene.inputs.iter().for_each(|input| fs::read(input).ok().hash(&mut hasher));
     serde_json::to_string(scene)?.hash(&mut hasher);
     for &core in cores {
         core.hash(&mut hasher);
@@ -84,9 +80,9 @@ fn hash(path: &Path, hasher: &mut DefaultHasher) -> Result<()> {
 /// Returns an error if there is no folder for it.
 pub(super) fn kept(scene: &Scene, fingerprint: u64) -> Result<Option<Found>> {
     let path = scene.folder()?.join(FILE);
-    let kept = fs::read(path).ok().and_then(|bytes| serde_json::from_slice::<Kept>(&bytes).ok());
-    let fresh = kept.filter(|kept| kept.fingerprint == fingerprint);
-    Ok(fresh.map(|kept| kept.found))
+    let kept: Option<(u64, Found)> =
+        fs::read(path).ok().and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    Ok(kept.filter(|(of, _)| *of == fingerprint).map(|(_, found)| found))
 }
 
 /// Keeps what is found of a scene.
@@ -96,7 +92,7 @@ pub(super) fn kept(scene: &Scene, fingerprint: u64) -> Result<Option<Found>> {
 /// Returns an error if the file cannot be written.
 pub(super) fn keep(fingerprint: u64, found: &Found) -> Result<()> {
     let path = found.0.scene.folder()?.join(FILE);
-    let text = serde_json::to_string(&Kept { fingerprint, found: found.clone() })?;
+    let text = serde_json::to_string(&(fingerprint, found))?;
     Ok(write_atomically(&path, text)?)
 }
 

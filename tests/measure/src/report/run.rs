@@ -44,38 +44,92 @@ pub(super) struct Drawn {
 /// How often the host's program is run: its times differ.
 const RUNS: usize = 7;
 
-/// Draws all choices on the host, each run one after the other, so that what else the machine does
-/// meets all of them.
-///
-/// # Errors
-///
-/// Returns an error if the program cannot be built or run.
-pub(super) fn on_host(
-    scene: &Scene,
-    choices: &[Choice],
-    folder: &Path,
-) -> Result<HashMap<String, Drawn>> {
-    let source = write(scene, choices, folder, "choices")?;
-    let program = firmware::build_choices(None, &source)?;
-    let mut drawn: HashMap<String, Drawn> = HashMap::new();
-    for run in 0..RUNS {
-        let mut command = Command::new(&program);
-        if run == 0 {
-            command.env("PICTURES", folder);
-        }
-        let output = firmware::output_of(&mut command)?;
-        for line in lines(output.lines())? {
-            let frames = if run == 0 { pictures(folder, &line)? } else { Vec::new() };
-            let found = drawn.entry(line.choice).or_insert_with(|| Drawn {
-                hash: line.hash,
-                frames,
-                nanoseconds: Vec::new(),
-            });
-            found.nanoseconds.push(line.ticks / line.frames.max(1));
-        }
+/// What the programs of a scene share.
+#[derive(Debug)]
+pub(super) struct Programs<'a> {
+    pub(super) scene: &'a Scene,
+    folder: PathBuf,
+    tables: Vec<Tables>,
+}
+
+impl<'a> Programs<'a> {
+    /// Writes the tables that the choices need.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the model cannot be converted, or a file not be written.
+    pub(super) fn new(scene: &'a Scene, choices: &[Choice]) -> Result<Self> {
+        let folder = scene.folder()?;
+        Ok(Self { tables: Tables::write(scene, choices, &folder)?, scene, folder })
     }
-    drawn.values_mut().for_each(|drawn| drawn.nanoseconds.sort_unstable());
-    Ok(drawn)
+
+    /// Draws all choices on the host, each run one after the other, so that what else the machine
+    /// does meets all of them.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the program cannot be built or run.
+    pub(super) fn on_host(&self, choices: &[Choice]) -> Result<HashMap<String, Drawn>> {
+        let program = self.build(None, choices, "choices")?;
+        let mut drawn: HashMap<String, Drawn> = HashMap::new();
+        for run in 0..RUNS {
+            let mut command = Command::new(&program);
+            if run == 0 {
+                command.env("PICTURES", &self.folder);
+            }
+            let output = firmware::output_of(&mut command)?;
+            for line in lines(output.lines())? {
+                let frames = if run == 0 { pictures(&self.folder, &line)? } else { Vec::new() };
+                let found = drawn.entry(line.choice).or_insert_with(|| Drawn {
+                    hash: line.hash,
+                    frames,
+                    nanoseconds: Vec::new(),
+                });
+                found.nanoseconds.push(line.ticks / line.frames.max(1));
+            }
+        }
+        drawn.values_mut().for_each(|drawn| drawn.nanoseconds.sort_unstable());
+        Ok(drawn)
+    }
+
+    /// Counts the frames of a choice on a core.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the program cannot be built or run, or if a picture is not that of the
+    /// host.
+    pub(super) fn on_core(
+        &self,
+        plugin: &Plugin,
+        core: Core,
+        choice: Choice,
+        drawn: &HashMap<String, Drawn>,
+    ) -> Result<Counted> {
+        let output = plugin.run(&self.build(Some(core), &[choice], core.facts().name)?)?;
+        let lines = lines(output.lines.iter().map(String::as_str))?;
+        let ([line], [stages]) = (lines.as_slice(), output.reports.as_slice()) else {
+            bail!("one choice has {} lines and {} reports", lines.len(), output.reports.len());
+        };
+        ensure!(
+            drawn.get(&line.choice).is_some_and(|drawn| drawn.hash == line.hash),
+            "{} of {} on {} is not the picture of the host",
+            line.choice,
+            self.scene.name,
+            core.title()
+        );
+        Ok(Counted {
+            counts: stages.clear + stages.vertices + stages.draw,
+            frames: line.frames.max(1),
+            conditions: Conditions::of(core, &output.lines)?,
+        })
+    }
+
+    /// Writes the source of a program under a name, and builds it.
+    fn build(&self, core: Option<Core>, choices: &[Choice], name: &str) -> Result<PathBuf> {
+        let path = self.folder.join(name).with_extension("rs");
+        write_atomically(&path, program::source(self.scene, &self.tables, choices))?;
+        firmware::build_choices(core, &path)
+    }
 }
 
 /// Reads the pictures of a choice, and removes their files.
@@ -96,47 +150,6 @@ pub(super) struct Counted {
     pub(super) counts: Counts,
     pub(super) frames: u64,
     pub(super) conditions: Conditions,
-}
-
-/// Counts the frames of a choice on a core.
-///
-/// # Errors
-///
-/// Returns an error if the program cannot be built or run, or if a picture is not that of the host.
-pub(super) fn on_core(
-    plugin: &Plugin,
-    core: Core,
-    scene: &Scene,
-    choice: Choice,
-    folder: &Path,
-    drawn: &HashMap<String, Drawn>,
-) -> Result<Counted> {
-    let source = write(scene, &[choice], folder, core.facts().name)?;
-    let output = plugin.run(&firmware::build_choices(Some(core), &source)?)?;
-    let lines = lines(output.lines.iter().map(String::as_str))?;
-    let ([line], [stages]) = (lines.as_slice(), output.reports.as_slice()) else {
-        bail!("one choice has {} lines and {} reports", lines.len(), output.reports.len());
-    };
-    ensure!(
-        drawn.get(&line.choice).is_some_and(|drawn| drawn.hash == line.hash),
-        "{} of {} on {} is not the picture of the host",
-        line.choice,
-        scene.name,
-        core.title()
-    );
-    Ok(Counted {
-        counts: stages.clear + stages.vertices + stages.draw,
-        frames: line.frames.max(1),
-        conditions: Conditions::of(core, &output.lines)?,
-    })
-}
-
-/// Writes the source of a program, with the tables beside it.
-fn write(scene: &Scene, choices: &[Choice], folder: &Path, name: &str) -> Result<PathBuf> {
-    let tables = Tables::write(scene, choices, folder)?;
-    let path = folder.join(name).with_extension("rs");
-    write_atomically(&path, program::source(scene, &tables, choices))?;
-    Ok(path)
 }
 
 /// Parses what a program prints behind its `opt-level`.

@@ -16,17 +16,20 @@ use super::choices::{self, Choice, Method};
 use crate::firmware;
 
 /// A model as it is seen by all choices.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Scene {
     pub(super) name: String,
     /// Not in the figures: it is a path of one machine.
     #[serde(skip)]
     pub(super) file: PathBuf,
+    /// That file, its libraries and their pictures.
+    #[serde(skip)]
+    pub(super) inputs: Vec<PathBuf>,
     pub(super) is_textured: bool,
     /// On a display of 320 x 240.
     pub(super) focal_length_px: u32,
     /// Of the camera from the middle of the model, whose farthest vertex is 1 away.
-    pub(super) distance: String,
+    pub(super) distance: f64,
     /// Turned by an eighth of a turn each.
     pub(super) frames: u32,
 }
@@ -52,7 +55,7 @@ impl Scene {
     ///
     /// Returns an error if it cannot be converted, or has no faces, or too many.
     pub(super) fn of(file: &Path, frames: u32) -> Result<Self> {
-        let model = Model::load(file, &options(None))?;
+        let model = Model::load(file, &options(TextureOptions::default()))?;
         let (vertices, triangles) = (model.report.vertices, model.report.triangles);
         ensure!(triangles > 0, "{} has no faces to draw", file.display());
         ensure!(
@@ -66,8 +69,9 @@ impl Scene {
             name,
             is_textured: model.textures.is_some(),
             file: file.to_path_buf(),
+            inputs: model.inputs,
             focal_length_px: 400,
-            distance: "2.4".into(),
+            distance: 2.4,
             frames,
         })
     }
@@ -88,14 +92,14 @@ impl Scene {
         choices
     }
 
-    /// The view of a frame in the host tools.
+    /// The view of a frame in the host tools, as the bench scenes of the firmware have it.
     pub(super) fn view(&self, frame: u32) -> View {
         let turn = |steps: u32| f64::from(steps) / 512.0 * 360.0;
         let half_height = f64::from(SIZE[1]) / 2.0;
         let half_angle = (half_height / f64::from(self.focal_length_px)).atan();
         View {
             size: SIZE,
-            distance: self.distance.parse().unwrap_or(1.0),
+            distance: self.distance,
             projection: Projection::Perspective {
                 field_of_view_degrees: 2.0 * half_angle.to_degrees(),
             },
@@ -126,7 +130,7 @@ impl Scene {
     ///
     /// Returns an error if it cannot be converted.
     pub(super) fn model(&self) -> Result<Model> {
-        Ok(Model::load(&self.file, &options(None))?)
+        Ok(Model::load(&self.file, &options(TextureOptions::default()))?)
     }
 
     /// The model whose pictures are true: its textures are as large as their files, up to 1,024.
@@ -141,7 +145,7 @@ impl Scene {
             color: ColorFormat::Rgb888,
             ..TextureOptions::default()
         };
-        Ok(Model::load(&self.file, &options(Some(texture)))?)
+        Ok(Model::load(&self.file, &options(texture))?)
     }
 }
 
@@ -160,12 +164,8 @@ fn in_folder(folder: &Path, names: &[&str]) -> Vec<PathBuf> {
 }
 
 /// Those of `convert`, apart from the textures and the name.
-fn options(textures: Option<TextureOptions>) -> Options {
-    Options {
-        textures: textures.or(Some(TextureOptions::default())),
-        name: Some("model".into()),
-        ..Options::default()
-    }
+fn options(textures: TextureOptions) -> Options {
+    Options { textures: Some(textures), name: Some("model".into()), ..Options::default() }
 }
 
 /// The tables of a model in a file of Rust.
@@ -184,7 +184,9 @@ impl Tables {
     pub(super) fn write(scene: &Scene, choices: &[Choice], folder: &Path) -> Result<Vec<Self>> {
         let mut tables = Vec::new();
         for has_mip_levels in [false, true] {
-            if !choices.iter().any(|choice| choice.has_mip_levels() == has_mip_levels) {
+            let path = folder.join(name(has_mip_levels)).with_extension("rs");
+            let written = Self { has_mip_levels, path };
+            if !choices.iter().any(|choice| written.are_of(choice)) {
                 continue;
             }
             let texture = TextureOptions {
@@ -193,19 +195,24 @@ impl Tables {
                 mipmaps: has_mip_levels,
                 ..TextureOptions::default()
             };
-            let model = Model::load(&scene.file, &options(Some(texture)))?;
-            let path = folder.join(name(has_mip_levels)).with_extension("rs");
+            let model = Model::load(&scene.file, &options(texture))?;
             let text = emit::source(&model);
-            if fs::read(&path).ok().as_deref() != Some(text.as_bytes()) {
-                write_atomically(&path, text)?;
+            // An unchanged file is not written, so that the compiler need not run again.
+            if fs::read(&written.path).ok().as_deref() != Some(text.as_bytes()) {
+                write_atomically(&written.path, text)?;
             }
-            tables.push(Self { has_mip_levels, path });
+            tables.push(written);
         }
         Ok(tables)
     }
 
     pub(super) const fn module(&self) -> &'static str {
         name(self.has_mip_levels)
+    }
+
+    /// Whether a choice reads them.
+    pub(super) fn are_of(&self, choice: &Choice) -> bool {
+        choice.has_mip_levels() == self.has_mip_levels
     }
 
     /// The module with the tables of a choice.
