@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use crate::{
     attribute::{DepthFormat, Interpolate, Piece, Step as _},
-    numbers::codegen,
+    numbers::{IS_NARROW, codegen},
     raster::{Fragment, FragmentOf, Layout, Primitive, Span, Window},
     shade::Outcome,
 };
@@ -12,6 +12,11 @@ use crate::{
 /// From this many pixels on, taking two at a time pays for a call: the loop costs 12 to 16
 /// instructions a pixel instead of 15 to 19.
 const LONG_RUN: usize = 16;
+
+/// Varyings of at most this size leave a narrow core the registers for blocks of more than two
+/// pixels without depth. What takes more is divided at each pixel, beside which a block saves
+/// little.
+const FEW_BYTES: usize = 16;
 
 /// Draws those pixels of a primitive that are nearer than what is stored, which their depth then
 /// replaces, unless their outcome leaves it: what was drawn first wins a tie. `pixel` gets the
@@ -40,7 +45,8 @@ pub(super) fn draw<C: Copy, Q: Primitive, O: Outcome<C>>(
                     run.draw(colors, cells, Place::of(span, layout), pixel);
                 }
             }
-            None => draw_pieces(colors, cells, span, Place::of(span, layout), pixel),
+            // codegen: a copy, so that spans of one piece are in registers.
+            None => draw_pieces(colors, cells, &Span { ..*span }, Place::of(span, layout), pixel),
         }
         Ok(())
     })
@@ -67,8 +73,7 @@ fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
         if let (Some(colors), Some(cells)) = (colors.get_mut(start..end), cells.get_mut(start..end))
         {
             let run = Run::<D, V>::of(depth, span.depth_step, piece);
-            let Place { column, row } = place.right(start);
-            run.draw_long(colors, cells, column, row, pixel);
+            run.draw_long(colors, cells, place.right(start), pixel);
         }
         start = end;
         depth = depth.wrapping_add(span.depth_step.wrapping_mul(piece.pixels as i32));
@@ -160,7 +165,7 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         if cells.len() >= LONG_RUN {
-            self.draw_long(colors, cells, place.column, place.row, pixel);
+            self.draw_long(colors, cells, place, pixel);
             return;
         }
         // codegen: by their indices, for which compilers take an instruction less a span than for
@@ -174,41 +179,78 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         }
     }
 
-    /// Two pixels at a time.
-    // codegen: not inlined, because it needs all registers. The place comes in parts, which are not
-    // passed to it if nobody reads them. The run comes by reference, because one that is passed by
-    // value lies in the caller's memory, where each step is stored.
-    #[inline(never)]
+    /// Several pixels at a time.
+    #[inline(always)]
     fn draw_long<C: Copy, O: Outcome<C>>(
-        &self,
+        self,
         colors: &mut [C],
         cells: &mut [D],
-        column: i32,
-        row: i32,
+        place: Place,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
-        self.draw_pairs(colors, cells, Place { column, row }, pixel);
+        let Self { depth, depth_step, varyings, varyings_step } = self;
+        let (depth, varyings) = ((depth, depth_step), (&varyings, &varyings_step));
+        Self::draw_blocks(depth, varyings, colors, cells, place, pixel);
     }
 
-    /// Two pixels at a time.
+    /// The same from depth and varyings with their steps.
+    // codegen: not inlined, because it needs all registers. References to what has up to three
+    // numbers become arguments for those that are read; one to a run, which has more, would keep it
+    // in memory.
+    #[inline(never)]
+    fn draw_blocks<C: Copy, O: Outcome<C>>(
+        (depth, depth_step): (D::Walk, D::Walk),
+        (&varyings, &varyings_step): (&V::Walk, &V::Walk),
+        colors: &mut [C],
+        cells: &mut [D],
+        place: Place,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
+        let tests_depth = size_of::<D>() != 0;
+        // codegen: with one length for both; on a narrow core that costs the loop a register.
+        if !(IS_NARROW && tests_depth) && colors.len() != cells.len() {
+            return;
+        }
+        let run = Self { depth, depth_step, varyings, varyings_step };
+        if IS_NARROW && !tests_depth && size_of::<V::Walk>() <= FEW_BYTES {
+            run.draw_in_blocks_of::<8, _, _>(colors, cells, place, pixel);
+        } else {
+            run.draw_in_blocks_of::<2, _, _>(colors, cells, place, pixel);
+        }
+    }
+
+    /// `N` pixels at a time, an even number.
     #[inline(always)]
-    fn draw_pairs<C: Copy, O: Outcome<C>>(
+    fn draw_in_blocks_of<const N: usize, C: Copy, O: Outcome<C>>(
         mut self,
         colors: &mut [C],
         cells: &mut [D],
         mut place: Place,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
-        let (color_pairs, last_color) = colors.as_chunks_mut::<2>();
-        let (cell_pairs, last_cell) = cells.as_chunks_mut::<2>();
-        for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
+        // codegen: the optimiser computes multiples of the steps for a longer block, and has no
+        // registers for them, unless the values at its start have no law that it can see.
+        let mut nothing = (D::Walk::ZERO, V::Walk::ZERO);
+        if N > 2 {
+            codegen::in_memory(&mut nothing);
+        }
+        let (color_blocks, last_colors) = colors.as_chunks_mut::<N>();
+        let (cell_blocks, last_cells) = cells.as_chunks_mut::<N>();
+        for (colors, cells) in color_blocks.iter_mut().zip(cell_blocks) {
+            codegen::keep_rolled();
+            self.depth = self.depth.wrapping_add(nothing.0);
+            self.varyings = self.varyings.wrapping_add(nothing.1);
+            let (color_pairs, cell_pairs) = (colors.as_chunks_mut().0, cells.as_chunks_mut().0);
+            for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
+                self.draw_pixel(color, cell, place, pixel);
+                self.draw_pixel(next_color, next_cell, place.right(1), pixel);
+                place = place.right(2);
+            }
+        }
+        for (color, cell) in last_colors.iter_mut().zip(last_cells) {
             codegen::keep_rolled();
             self.draw_pixel(color, cell, place, pixel);
-            self.draw_pixel(next_color, next_cell, place.right(1), pixel);
-            place = place.right(2);
-        }
-        for (color, cell) in last_color.iter_mut().zip(last_cell) {
-            self.draw_pixel(color, cell, place, pixel);
+            place = place.right(1);
         }
     }
 
