@@ -227,8 +227,11 @@ impl<S: Subpixel> TriangleSetup<S> {
 
     /// The columns and rows from the anchor to any covered pixel, together, at most.
     pub(crate) fn reach(&self) -> u32 {
-        let most = |[d1, d2]: [i32; 2]| d1.unsigned_abs().max(d2.unsigned_abs());
-        ((most(self.dx) + most(self.dy)) >> S::BITS) + 2
+        let [dx1, dx2] = self.dx;
+        let columns = dx1.unsigned_abs().max(dx2.unsigned_abs());
+        // From top to bottom.
+        let rows = self.dy[1].unsigned_abs();
+        ((columns + rows) >> S::BITS) + 2
     }
 
     /// The plane of an attribute of 16 bits by the reciprocal.

@@ -22,7 +22,7 @@ use core::fmt::Debug;
 
 use super::{
     quick::QUICK_RANGE,
-    quotient::{Corners, Quotient},
+    quotient::{Corners, Quotient, least_unit_bits},
 };
 use crate::{
     attribute::Components,
@@ -137,12 +137,11 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
         let spread = ((most - least) >> 15) + 1;
         let limit = 4 * u64::from(Self::LIMIT - 1) * u64::from(least >> 15);
         let limit = limit.min(u32::MAX.into()) as u32;
-        for sixteenths in corners.sixteenths().as_ref() {
-            if sixteenths >> 16 != 0 || sixteenths * spread > limit {
-                return false;
-            }
-        }
-        !V::READS_INVERSE_W || spread <= least >> 19
+        let is_within = |sixteenths: u32| sixteenths >> 16 == 0 && sixteenths * spread <= limit;
+        // codegen: for most small triangles the bound is enough, and takes half the instructions.
+        (is_within(corners.sixteenths_at_most())
+            || corners.sixteenths().as_ref().iter().all(|&range| is_within(range)))
+            && (!V::READS_INVERSE_W || spread <= least >> 19)
     }
 
     #[inline(always)]
@@ -161,11 +160,8 @@ impl<const TOLERANCE: u32> Rule for Adaptive<TOLERANCE> {
         }
         // Slopes along a row, shifted up to 30 bits.
         let up = leading_zeros(magnitude | 1).saturating_sub(2);
-        // The least digits that a unit has: errors of the other numbers count for less.
-        let mut least_bits = u32::MAX;
-        for &bits in V::UNIT_BITS.as_ref() {
-            least_bits = least_bits.min(bits);
-        }
+        // Errors of the other numbers count for less.
+        let least_bits = least_unit_bits::<V>();
         let mut w = V::each([0; 2]);
         let unit_bits = V::UNIT_BITS;
         for ((w, [s_along, s_down]), bits) in

@@ -219,11 +219,8 @@ impl<V: Components> QuickPieces<V> {
     /// last pixel, where the triangle has a value.
     #[inline(always)]
     pub(super) fn piece(&mut self) -> Piece<SteppedWalk<V>> {
-        let (pixels, way) = if self.pixels > self.length {
-            (self.length, self.length)
-        } else {
-            (self.pixels, self.pixels - 1)
-        };
+        let way = self.length.min(self.pixels - 1);
+        let pixels = way + usize::from(way < self.length);
         let (q, from) = (self.q, self.quotients);
         let to = |at: u32, step: u32| at.wrapping_add(step.wrapping_mul(way as u32));
         self.q = to(q, self.q_step);

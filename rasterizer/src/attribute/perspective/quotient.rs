@@ -99,13 +99,19 @@ impl<V: Components> Corners<V> {
         }
     }
 
+    /// The bits of all differences together: at least each of them, and the absolute value of each
+    /// less 1.
+    #[inline(always)]
+    fn magnitudes(&self) -> u32 {
+        let [one, other] = &self.differences;
+        let all = one.as_ref().iter().chain(other.as_ref());
+        all.fold(0, |bits, d| bits | (d ^ (d >> 31)) as u32)
+    }
+
     /// The least k for which all differences are below 2^k, from 1 to 30.
     #[inline(always)]
     pub(super) fn bits(&self) -> u32 {
-        let [one, other] = &self.differences;
-        let all = one.as_ref().iter().chain(other.as_ref());
-        let magnitudes = all.fold(1, |bits, d| bits | (d ^ (d >> 31)) as u32);
-        32 - leading_zeros(magnitudes)
+        32 - leading_zeros(self.magnitudes() | 1)
     }
 
     /// The range of each number, in sixteenths of a unit, rounded up.
@@ -121,6 +127,13 @@ impl<V: Components> Corners<V> {
         ranges
     }
 
+    /// A bound of the ranges: at least each of them. A range is at most twice the largest
+    /// difference.
+    #[inline(always)]
+    pub(super) fn sixteenths_at_most(&self) -> u32 {
+        (self.magnitudes() >> (least_unit_bits::<V>() - 5)) + 2
+    }
+
     /// The numerators of one number at all corners.
     #[inline(always)]
     pub(super) fn numerators(&self, index: usize, bits: u32) -> [i32; 3] {
@@ -131,6 +144,16 @@ impl<V: Components> Corners<V> {
         };
         [0, of(0, b), of(1, c)]
     }
+}
+
+/// The least digits that a unit of a number has.
+#[inline(always)]
+pub(super) fn least_unit_bits<V: Components>() -> u32 {
+    let mut least = u32::MAX;
+    for &bits in V::UNIT_BITS.as_ref() {
+        least = least.min(bits);
+    }
+    least
 }
 
 impl<V: Components> Quotient<V> {
@@ -317,5 +340,33 @@ impl<V: Components> Block<V> {
     #[inline(always)]
     pub(super) const fn step_of_inverse_w(&self, change: i32) -> u32 {
         ((change << 2) >> self.zeros) as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::random::Random;
+
+    /// It is the range itself, rounded up, where the first corner lies in the middle of the others.
+    #[test]
+    fn no_range_is_above_its_bound() {
+        let mut random = Random::new(5);
+        let mut close = 0;
+        for _ in 0..100_000 {
+            let bits = random.bits();
+            let digits = (bits >> 60) as u32;
+            let number = |shift: u64| ((bits >> shift) as u16 >> digits) as i16;
+            let corners =
+                Corners::new([0, 16, 32].map(|shift| {
+                    ([number(shift), -number(shift + 5)], InverseW::from_bits(1 << 31))
+                }));
+            let bound = corners.sixteenths_at_most();
+            for range in corners.sixteenths() {
+                assert!(range <= bound, "{range} {bound}");
+                close += u32::from(range + 1 >= bound);
+            }
+        }
+        assert!(close > 10, "{close}");
     }
 }

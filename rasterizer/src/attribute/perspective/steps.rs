@@ -335,37 +335,28 @@ impl<V: Components> Pieces<V> {
     }
 }
 
-/// 2^(15 + log2 n) / n, rounded: from 2^14 to 2^15.
-const PARTS: [u16; 65] = {
+/// For n from 1 to 64, 2^(15 + log2 n) / n, rounded: from 2^14 to 2^15. The upper half has log2 n,
+/// rounded down.
+// codegen: a table of both, because a core without an instruction for logarithms takes long.
+const PARTS: [u32; 65] = {
     let mut parts = [0; 65];
     let mut n = 1;
     while n <= 64 {
-        parts[n] = (((1 << (15 + n.ilog2())) + n / 2) / n) as u16;
+        let pixels = n as u32;
+        let log2 = pixels.ilog2();
+        let part = ((1 << (15 + log2)) + pixels / 2) / pixels;
+        parts[n] = part | log2 << 16;
         n += 1;
     }
     parts
-};
-
-/// The binary logarithms of 1 to 64, rounded down.
-// codegen: a table, because a core without an instruction for it takes long.
-const LOGARITHMS: [u8; 65] = {
-    let mut logarithms = [0; 65];
-    let mut n = 1;
-    while n <= 64 {
-        logarithms[n] = n.ilog2() as u8;
-        n += 1;
-    }
-    logarithms
 };
 
 /// What a change over `pixels` pixels, up to 64, is multiplied and shifted to the right by, for
 /// that from each to the next: 2^15 times too much, and within 2^-15 of it. Over 0 pixels it is 0.
 #[inline(always)]
 pub(super) fn part(pixels: usize) -> (i32, u32) {
-    match (PARTS.get(pixels), LOGARITHMS.get(pixels)) {
-        (Some(&part), Some(&log2)) => (part.into(), log2.into()),
-        _ => (0, 0),
-    }
+    let part = PARTS.get(pixels).copied().unwrap_or(0);
+    ((part & 0xFFFF) as i32, part >> 16)
 }
 
 /// A change over `pixels` pixels, 1 to 64, as that from each to the next.
