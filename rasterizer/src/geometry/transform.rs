@@ -329,10 +329,15 @@ impl<P: Projection> Transform<P> {
         // negative, and the sides are still planes through the eye: upwards is outwards there too.
         let w = (self.lens.w(z) >> GUARD_BITS) + 1;
         let (across, down) = (w * across, w * down);
-        let beyond = [z < self.near, z > self.far, x < -across, x > across, y < -down, y > down];
+        // In the coarse units of an object that is large beside its distance, so does depth.
+        let (near, far) = (self.near - MARGIN, self.far + MARGIN);
+        let beyond = [z < near, z > far, x < -across, x > across, y < -down, y > down];
         beyond.iter().fold(0, |bits, &outside| bits << 1 | u8::from(outside))
     }
 }
+
+/// By how much a coordinate is off at most, in units.
+const MARGIN: i32 = 4;
 
 /// 3/4 of a coordinate, rounded up.
 const fn three_quarters(units: i32) -> i32 {
@@ -491,6 +496,26 @@ mod tests {
         };
         check::<_, S4>(lens, project);
         check::<_, S8>(lens, project);
+    }
+
+    /// A point in view of a mesh so large that its units are as long as the way to it.
+    #[test]
+    fn a_huge_object_in_view_is_refused_rather_than_hidden() {
+        let [near, far] = [U16F16::lit("2.5"), U16F16::lit("23")];
+        let lens = Perspective::with_focal_length(U16F16::lit("0.001"), near, far).unwrap();
+        let camera = Camera::at(Vec3::ZERO, Rotation::IDENTITY, lens, VIEWPORT).unwrap();
+        let positions = [[0, 0, 0]];
+        let huge =
+            Tables { scale: Scale::new(u32::MAX, -16), offset: Vec3::ZERO, ..tables(&positions) };
+        let huge = Mesh::new_const(huge);
+        for tenths in 26..230 {
+            let place = Vec3::from_bits([0, 0, -(tenths << 16) / 10]);
+            let pose = Pose::IDENTITY.at(place).scaled(U16F16::MAX);
+            let transform = Transform::new::<S4>(&camera, CameraAxes, &pose, &huge);
+            let is_hidden = transform.is_outside_view::<i32>(huge.bounds(), [321, 240]);
+            assert!(!is_hidden, "at {tenths} tenths");
+            assert_eq!(transform.check(is_hidden), Err(PoseError));
+        }
     }
 
     #[test]
