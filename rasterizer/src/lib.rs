@@ -157,6 +157,7 @@
 //! | depth of triangles | [`Object::biased`](scene::Object::biased) | theirs, or moved by a [`Bias`](raster::Bias) |
 //! | lines | a table of vertices, [`Lines`](mesh::Lines) | [`Projected::lines`](scene::Projected::lines): in one colour or by the shader, over the triangles or alone; hidden ones left out after [`draw_depth`](scene::Projected::draw_depth); antialiased by [`smooth`](scene::ProjectedLines::smooth) |
 //! | points | a table of vertices, [`Points`](mesh::Points) | [`Projected::points`](scene::Projected::points): squares of a size in pixels, in one colour or by the shader |
+//! | as modelled, or stretched, mirrored, sheared | [`Object::shaped`](scene::Object::shaped) | [`AsModelled`](geometry::AsModelled), or a [`Matrix`](numbers::Matrix) by [`Shaped`](geometry::Shaped) |
 //! | alpha | the blending's factor, the shader, the texels | an [`Alpha`](color::Alpha) for the object, [`MaterialOpacity`](output::MaterialOpacity), [`Faded`](shade::Faded) by vertices, [`Translucent`](texture::Translucent) by texels |
 //! | colour | the shader's type | [`Unlit`](shade::Unlit), [`Flat`](shade::Flat), [`Gouraud`](shade::Gouraud), [`GlossyGouraud`](shade::GlossyGouraud), [`Phong`](shade::Phong), [`Textured`](shade::Textured), [`TexturedFlat`](shade::TexturedFlat), [`TexturedGouraud`](shade::TexturedGouraud), [`Colored`](shade::Colored), [`ColoredGouraud`](shade::ColoredGouraud), [`Matcap`](shade::Matcap), or [your own](shade::Shader) |
 //! | the triangle that is seen at a pixel | a shader | [`Visibility`](shade::Visibility); [`Deferred`](shade::Deferred) shades those pixels alone |
@@ -212,7 +213,9 @@
 //! | what | format | range, error |
 //! |---|---|---|
 //! | world coordinates | Q16.16 | ±32,768; a step is f / w 2<sup>-16</sup> pixels, with the focal length f in pixels, from the distance w |
-//! | directions, matrices | Q2.30 | orthonormal within 2<sup>-26</sup> |
+//! | directions, rotations | Q2.30 | orthonormal within 2<sup>-26</sup> |
+//! | matrices that stretch, mirror or shear | Q16.16 | half a 65,536th for each product |
+//! | quaternions | Q2.30 | 2<sup>-25</sup> radians on the [way](numbers::Quaternion::slerp) between two |
 //! | positions in a mesh | 16 bits times the mesh's [`Scale`](numbers::Scale) | half a quantum: 1/131,068 of the longest side |
 //! | places on the screen | sub-pixels, 4 or 8 bits behind the point | half a sub-pixel of snapping and 1/8 of arithmetic, for objects up to some hundred near distances wide with 4 bits, some hundred thousand with 8 ([`PoseError`](geometry::PoseError) has the limit, beyond which an object is refused); ±1,024 pixels about the viewport's middle |
 //! | depth | Q0.16, Q0.32 or [floating-point](attribute::FloatDepth) in 16 bits, stepped with 16 or 18 more bits | 1 unit of the format |
@@ -236,7 +239,7 @@
 //! * Sorting the triangles of several objects together: objects that are blended or drawn without
 //!   depth are drawn in the order of the calls. Bins of triangles that are sorted from back to
 //!   front.
-//! * Non-uniform scaling of objects.
+//! * Mirrors that show what lies before them, other than by a second object in a matrix.
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
 //! * Vertices kept across the bands of a frame for several objects in one storage: each has its
 //!   own, or none ([`Object::project_on_demand`](scene::Object::project_on_demand)).

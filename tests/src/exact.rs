@@ -4,7 +4,7 @@
 use rasterizer::{
     camera::{Camera, Orthographic, Perspective},
     geometry::Projection,
-    numbers::{Rotation, Scale, Subpixel, Vec3},
+    numbers::{Matrix, Rotation, Scale, Subpixel, Vec3},
 };
 
 use crate::{Scene, ends::Stage};
@@ -74,8 +74,16 @@ pub fn rotated(rotation: &Rotation, v: Vector) -> Vector {
 /// A row of the matrix from quanta to clip space, and its translation.
 type Row = (Vector, f64);
 
-/// The matrix's rows: right, down and away, the first two in guard bands at w = 1.
-fn matrix(stage: &Stage, lens: &Lens) -> [Row; 3] {
+/// A vector that a matrix changes.
+#[must_use]
+pub fn changed(matrix: &Matrix, v: Vector) -> Vector {
+    let rows = matrix.rows().map(|row| row.map(|c| c.to_num::<f64>()));
+    rows.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+}
+
+/// The rows of the matrix of an object in a shape: right, down and away, the first two in guard
+/// bands at w = 1.
+fn rows_of(stage: &Stage, shape: &Matrix, lens: &Lens) -> [Row; 3] {
     let (turn, view) = (stage.pose.rotation, stage.rotation.inverse());
     let scale: f64 = stage.pose.scale.to_num();
     let quantum = quantum(stage.surface.scale);
@@ -86,11 +94,12 @@ fn matrix(stage: &Stage, lens: &Lens) -> [Row; 3] {
     let column = |axis: usize| {
         let mut unit = [0.0; 3];
         unit[axis] = scale * quantum;
-        to_view(rotated(&turn, unit))
+        to_view(rotated(&turn, changed(shape, unit)))
     };
     let columns = [0, 1, 2].map(column);
     let (translation, eye) = (numbers(stage.pose.translation), numbers(stage.eye));
-    let offset = rotated(&turn, numbers(stage.surface.offset).map(|c| c * scale));
+    let offset = numbers(stage.surface.offset).map(|c| c * scale);
+    let offset = rotated(&turn, changed(shape, offset));
     let from_eye = [0, 1, 2].map(|i| offset[i] + translation[i] - eye[i]);
     let origin = to_view(from_eye);
     [0, 1, 2].map(|row| (columns.map(|column| column[row]), origin[row]))
@@ -113,14 +122,29 @@ pub struct Judged {
 pub fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens: &Lens) -> Judged {
     let mesh = stage.surface.mesh();
     let scene = Scene { pose: stage.pose, ..Scene::new(&mesh, camera) };
-    let rows = matrix(stage, lens);
+    let placed = scene.vertices::<S>();
+    judge_placed::<S, P>(stage, &Matrix::IDENTITY, (camera, lens), &placed)
+}
+
+/// [`judge`] for an object in a shape, with its vertices as [`Scene::vertices`] returns them.
+///
+/// # Panics
+///
+/// Panics if one is elsewhere, or is missing, or should be.
+pub fn judge_placed<S: Subpixel, P: Projection>(
+    stage: &Stage,
+    shape: &Matrix,
+    (camera, lens): (Camera<P>, &Lens),
+    placed: &[Option<[f64; 2]>],
+) -> Judged {
+    let mesh = stage.surface.mesh();
+    let rows = rows_of(stage, shape, lens);
     let (entries, origin) = rows[2];
     let reach = entries.iter().fold(origin.abs(), |sum, c| sum + c.abs() * 32_768.0);
     let viewport = camera.viewport();
     let sides = [viewport.size.width, viewport.size.height].map(f64::from);
     let corner = [viewport.top_left.x, viewport.top_left.y].map(f64::from);
 
-    let placed = scene.vertices::<S>();
     let mut judged = Judged::default();
     let positions = (0..).map_while(|index| mesh.tables().positions.get(index));
     for (index, position) in positions.enumerate() {
@@ -146,15 +170,24 @@ pub fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens:
             // of the middle.
             let is_seen =
                 x.abs() * GUARD < sides[0] / 2.0 * w && y.abs() * GUARD < sides[1] / 2.0 * w;
-            assert!(!(is_certain(1.0) && is_seen), "vertex {index} is seen: {stage:?}");
+            assert!(
+                !(is_certain(1.0) && is_seen),
+                "vertex {index} is seen: {stage:?} {shape:?} {lens}"
+            );
             continue;
         };
-        match place {
+        match *place {
             None => {
-                assert!(!is_certain(1.0), "vertex {index} is on the screen: {stage:?} {lens}");
+                assert!(
+                    !is_certain(1.0),
+                    "vertex {index} is on the screen: {stage:?} {shape:?} {lens}"
+                );
             }
             Some([px, py]) => {
-                assert!(is_certain(-1.0), "vertex {index} is not on the screen: {stage:?} {lens}");
+                assert!(
+                    is_certain(-1.0),
+                    "vertex {index} is not on the screen: {stage:?} {shape:?} {lens}"
+                );
                 // The guard band's last sub-pixel is cut off.
                 judged.placed += 1;
                 for (axis, (got, c)) in [(px, x), (py, y)].into_iter().enumerate() {
@@ -162,7 +195,10 @@ pub fn judge<S: Subpixel, P: Projection>(stage: &Stage, camera: Camera<P>, lens:
                         (c / w * GUARD).min(GUARD - subpixel) + corner[axis] + sides[axis] / 2.0;
                     let error = (got - exact).abs() / subpixel;
                     judged.worst = judged.worst.max(error);
-                    assert!(error <= TOLERANCE, "vertex {index}: {got} {exact} {stage:?} {lens}");
+                    assert!(
+                        error <= TOLERANCE,
+                        "vertex {index}: {got} {exact} {stage:?} {shape:?} {lens}"
+                    );
                 }
             }
         }

@@ -15,7 +15,7 @@ pub use counter::Counter;
 pub use picture::Picture;
 pub use random::Random;
 pub use recorder::{BusError, Call, Recorder};
-pub use scene::{Placed, Scene, area, front_vertices, pixel_camera};
+pub use scene::{Placed, Scene, area, front_vertices, pixel_camera, places};
 pub use surface::{Surface, edges, is_closed};
 
 use std::{

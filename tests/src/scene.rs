@@ -110,8 +110,7 @@ impl<'a, P: Projection> Scene<'a, P> {
     pub fn vertices<S: Subpixel>(&self) -> Vec<Option<[f64; 2]>> {
         let mut storage = vec![Placed::<S>::EMPTY; self.mesh.vertex_count()];
         let projected = self.object::<CullBack>().project(&self.camera, &mut storage);
-        let vertices = projected.expect("the object can be drawn").vertices();
-        vertices.iter().map(|v| v.position().map(to_pixels::<S>)).collect()
+        places(projected.expect("the object can be drawn").vertices())
     }
 
     /// Counts how many triangles cover each pixel of `part` in the f64 reference, with the vertices
@@ -153,6 +152,12 @@ where
         Ok::<(), Infallible>(())
     });
     is_front
+}
+
+/// Where vertices lie, in pixels from the display's corner; `None` for those that are clipped.
+#[must_use]
+pub fn places<S: Subpixel>(vertices: &[Placed<S>]) -> Vec<Option<[f64; 2]>> {
+    vertices.iter().map(|v| v.position().map(to_pixels::<S>)).collect()
 }
 
 fn to_pixels<S: Subpixel>(position: [i32; 2]) -> [f64; 2] {

@@ -9,6 +9,7 @@
 
 mod any_shader;
 mod arithmetic;
+mod arms;
 mod back_to_front;
 mod bands;
 mod billboards;
@@ -25,6 +26,7 @@ mod extremes;
 mod frames;
 mod lights;
 mod lines;
+mod matrices;
 mod metamorphic;
 mod mip_levels;
 #[cfg(not(rasterizer_narrow))]

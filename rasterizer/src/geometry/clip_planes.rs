@@ -9,10 +9,11 @@
 use heapless::Vec;
 
 use super::{
-    Plane, Pose,
+    Plane,
     clip::{MAX_CORNERS, quotient},
     placement::{Axis, Grid},
     row::Row,
+    shape::Posed,
     transform::ClipVertex,
 };
 use crate::{
@@ -79,10 +80,10 @@ impl<const N: usize> ClipPlanes<N> {
 
     /// The same for an object in its pose.
     #[inline(never)]
-    pub(super) fn placed(mut self, pose: &Pose, mesh: &Mesh<'_>) -> Self {
-        let pose = if self.is_in_world { pose } else { &Pose::IDENTITY };
+    pub(super) fn placed(mut self, posed: impl Posed, mesh: &Mesh<'_>) -> Self {
+        let posed = if self.is_in_world { posed } else { posed.identity() };
         for (distance, plane) in self.distances.iter_mut().zip(&self.planes) {
-            *distance = PlaneDistance::new(plane, pose, mesh);
+            *distance = PlaneDistance::new(plane, posed, mesh);
         }
         self
     }
@@ -217,12 +218,12 @@ impl PlaneDistance {
     /// Of an object without a pose.
     const NONE: Self = Self { row: Row::ZERO, position_shift: 0, is_flipped: false };
 
-    fn new(plane: &Plane, pose: &Pose, mesh: &Mesh<'_>) -> Self {
+    fn new(plane: &Plane, posed: impl Posed, mesh: &Mesh<'_>) -> Self {
         let (normal, offset, is_flipped) = plane.normalised();
         // Three products below 2^60, and an offset below 2^62.
-        let way = pose.translation.along(&normal).wrapping_add(offset);
-        let axis = Axis::along(&normal, way, Float::new(1, 0), pose, mesh.tables().offset);
-        let grid = Grid::new(pose, mesh);
+        let way = posed.pose().translation.along(&normal).wrapping_add(offset);
+        let axis = Axis::along(&normal, way, Float::new(1, 0), posed, mesh.tables().offset);
+        let grid = Grid::new(posed, mesh);
         // The least unit in which no position's distance reaches 2^30.
         let unit = axis.magnitude(&grid) - 30;
         Self {
@@ -245,6 +246,7 @@ mod tests {
     use super::*;
     use crate::{
         camera::Distance,
+        geometry::Pose,
         mesh::{Material, Positions, Tables, Triangles},
         numbers::{Rotation, Scale, Turn, Vec3},
         random::Random,

@@ -1,7 +1,7 @@
 //! Where an object lies as seen from the camera, before projection: how far along the camera's axes
 //! (`Axis`), and on which grid of positions (`Grid`).
 
-use super::Pose;
+use super::shape::Posed;
 use crate::{
     camera::Camera,
     mesh::Mesh,
@@ -32,13 +32,13 @@ impl Axis {
         camera: &Camera<P>,
         axis: usize,
         magnification: Float,
-        pose: &Pose,
+        posed: impl Posed,
         offset: Vec3,
     ) -> Self {
         let vector = &camera.axes()[axis];
         // Each below 2^62, as an axis has length one.
-        let way = pose.translation.along(vector) - camera.eye().along(vector);
-        Self::along(vector, way, magnification, pose, offset)
+        let way = posed.pose().translation.along(vector) - camera.eye().along(vector);
+        Self::along(vector, way, magnification, posed, offset)
     }
 
     /// The axis that is `vector` in world space, in Q30 and no longer than one, and the way to the
@@ -48,12 +48,13 @@ impl Axis {
         vector: &[i32; 3],
         way: i64,
         magnification: Float,
-        pose: &Pose,
+        posed: impl Posed,
         offset: Vec3,
     ) -> Self {
-        let direction = pose.rotation.turn_back_exactly(vector);
+        let direction = posed.turn_back_exactly(vector);
         let mut axis = Self { direction, way: way >> (46 - FRACTION_BITS), magnification };
-        let scale = i64::from(pose.scale.to_bits()) << (FRACTION_BITS - 32);
+        let scale =
+            i64::from(posed.pose().scale.to_bits()) << (FRACTION_BITS - 32 + posed.exponent());
         for (column, &offset) in offset.to_bits().iter().enumerate() {
             keep_rolled();
             // Q16.16 times Q16.28.
@@ -88,6 +89,24 @@ impl Axis {
         sum.magnitude() + i32::from(sum.mantissa >= i32::MAX - 3)
     }
 
+    /// The part of the way from the anchor to the eye along one of the object's axes that these
+    /// three have, if they are at right angles.
+    #[inline(always)]
+    pub(super) fn way_to_eye(axes: [&Self; 3], column: usize) -> Float {
+        let mut to_eye = 0i64;
+        for axis in axes {
+            keep_rolled();
+            let part = mul_wide_q30(axis.way, (axis.direction[column] >> 30) as i32);
+            to_eye = to_eye.wrapping_sub(part);
+        }
+        Float::new(to_eye, -FRACTION_BITS)
+    }
+
+    /// The way from the eye to the anchor, in world units.
+    pub(super) const fn way(&self) -> Float {
+        Float::new(self.way, -FRACTION_BITS)
+    }
+
     /// Moves the anchor by a length along an axis of the object.
     #[inline(never)]
     fn advance(&mut self, column: usize, length: i64) {
@@ -97,11 +116,11 @@ impl Axis {
 }
 
 /// Whether the mesh's origin lies within 2^16 world units of the pose's.
-pub(super) fn is_offset_in_range(pose: &Pose, offset: Vec3) -> bool {
+pub(super) fn is_offset_in_range(posed: impl Posed, offset: Vec3) -> bool {
     // codegen: not by `map`, which has an array of its own.
     let [x, y, z] = offset.to_bits();
     let bits = x.unsigned_abs() | y.unsigned_abs() | z.unsigned_abs();
-    u64::from(bits) * u64::from(pose.scale.to_bits()) < 1 << (32 + 16)
+    u64::from(bits) * u64::from(posed.pose().scale.to_bits()) < 1 << (32 + 16 - posed.exponent())
 }
 
 /// The positions of a mesh as its matrix sees them: in normalised quanta. The mesh's own are
@@ -116,7 +135,7 @@ pub(super) fn is_offset_in_range(pose: &Pose, offset: Vec3) -> bool {
 /// nearest to the eye. No vertex is nearer, so that a vertex is off by no more than a fixed part of
 /// its distance from the eye, however large the object is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Grid {
+pub(crate) struct Grid {
     /// The length of a normalised quantum in world units: a number below 2^63, and the exponent of
     /// 2 of its unit.
     length: i64,
@@ -134,30 +153,36 @@ const QUANTUM_BITS: i32 = 15;
 
 impl Grid {
     /// With its anchor at the mesh's origin.
-    pub(super) fn new(pose: &Pose, mesh: &Mesh<'_>) -> Self {
+    pub(super) fn new(posed: impl Posed, mesh: &Mesh<'_>) -> Self {
         let scale = mesh.tables().scale;
         // Exact, so that only the product of both scales matters. Halved, so that it fits.
-        let product = u64::from(pose.scale.to_bits()) * u64::from(scale.mantissa());
+        let product = u64::from(posed.pose().scale.to_bits()) * u64::from(scale.mantissa());
         let length = (product >> 1) as i64;
-        let exponent = scale.exponent() - 15 - mesh.spare_bits().cast_signed();
+        let exponent = scale.exponent() - 15 - mesh.spare_bits().cast_signed() + posed.exponent();
         let quantum = Float::new(length, exponent);
         Self { length, exponent, quantum, anchor: [0; 3], reach_bits: 15 }
     }
 
     /// The least distance from the eye of a vertex, or 4 times the half width of the mesh's box:
     /// the larger of both, in world units. Call it once the anchor is near the eye.
-    pub(super) fn distance(&self, axes: [&Axis; 3]) -> Float {
+    pub(super) fn distance(&self, axes: [&Axis; 3], posed: impl Posed, mesh: &Mesh<'_>) -> Float {
         let mut reach = self.quantum;
         reach.exponent += 15 + 2;
         let way = axes.map(|axis| axis.way.wrapping_abs());
         let way = Float::new(way[0].max(way[1]).max(way[2]), -FRACTION_BITS);
-        if way.exponent > reach.exponent { way } else { reach }
+        let distance = if way.exponent > reach.exponent { way } else { reach };
+        posed.least_distance(distance, self, axes, mesh)
     }
 
     /// Moves the anchor to the point nearest to the eye within the mesh's bounds. Returns whether
     /// the mesh measures less than 2^17 world units: only then the result is valid.
     #[inline(never)]
-    pub(super) fn move_anchor(&mut self, axes: [&mut Axis; 3], mesh: &Mesh<'_>) -> bool {
+    pub(super) fn move_anchor(
+        &mut self,
+        axes: [&mut Axis; 3],
+        posed: impl Posed,
+        mesh: &Mesh<'_>,
+    ) -> bool {
         if self.quantum.magnitude() > 1 {
             return false;
         }
@@ -171,13 +196,8 @@ impl Grid {
         for (column, anchor) in anchor.iter_mut().enumerate() {
             keep_rolled();
             // The way to the eye along an axis of the object.
-            let mut to_eye = 0i64;
-            for axis in &axes {
-                keep_rolled();
-                let part = mul_wide_q30(axis.way, (axis.direction[column] >> 30) as i32);
-                to_eye = to_eye.wrapping_sub(part);
-            }
-            let quanta = Float::new(to_eye, -FRACTION_BITS).over(self.quantum).in_units_of(0);
+            let to_eye = posed.way_to_eye([&*axes[0], &*axes[1], &*axes[2]], column);
+            let quanta = to_eye.over(self.quantum).in_units_of(0);
             let [min, max] = [mesh.bounds().min, mesh.bounds().max]
                 .map(|c| i32::from(c[column]) << mesh.spare_bits());
             // Not by `clamp`, which panics if the ends are exchanged.

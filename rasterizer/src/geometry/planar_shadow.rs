@@ -8,10 +8,11 @@
 use heapless::Vec;
 
 use super::{
-    ClipPlanes, Clipping, Plane, Pose,
+    ClipPlanes, Clipping, Plane,
     clip::MAX_CORNERS,
     clip_planes::Corner,
     placement::Axis,
+    shape::Posed,
     transform::{Axes, ClipVertex},
     visibility::UserPlanes,
 };
@@ -87,12 +88,12 @@ impl UserPlanes for PlanarShadow {
     const EXIST: bool = true;
     type Axes = Self;
 
-    fn placed(self, pose: &Pose, mesh: &Mesh<'_>) -> Self {
+    fn placed(self, posed: impl Posed, mesh: &Mesh<'_>) -> Self {
         // In light from the side or from beyond, nothing is left: no point has a positive sum.
         let none = Plane::new(Vec3::ZERO, Scalar::from_bits(-1));
         let is_lit = self.incidence().mantissa > 0;
         let lit = ClipPlanes::in_world([if is_lit { self.plane } else { none }]);
-        Self { lit: lit.placed(pose, mesh), ..self }
+        Self { lit: lit.placed(posed, mesh), ..self }
     }
 
     fn axes(&self) -> Self {
@@ -131,13 +132,13 @@ impl Axes for PlanarShadow {
         camera: &Camera<P>,
         axis: usize,
         mut magnification: Float,
-        pose: &Pose,
+        posed: impl Posed,
         offset: Vec3,
     ) -> Axis {
-        let a = &camera.axes()[axis];
+        let (a, pose) = (&camera.axes()[axis], posed.pose());
         let incidence = self.incidence();
         if incidence.mantissa <= 0 {
-            return Axis::new(camera, axis, magnification, pose, offset);
+            return Axis::new(camera, axis, magnification, posed, offset);
         }
         let minus_k = Float::new(-self.toward.along(a), -46).times(incidence.reciprocal());
         let [nx, ny, nz] = self.plane.normal.to_bits().map(|c| Float::new(c.into(), -16));
@@ -159,7 +160,7 @@ impl Axes for PlanarShadow {
             _ => 1 << 62,
         };
         magnification.exponent += down;
-        Axis::along(&vector, way, magnification, pose, offset)
+        Axis::along(&vector, way, magnification, posed, offset)
     }
 }
 
@@ -176,7 +177,7 @@ mod tests {
     use super::*;
     use crate::{
         camera::{Distance, Perspective},
-        geometry::ScreenVertex,
+        geometry::{Pose, ScreenVertex},
         mesh::{Material, Positions, Tables, Triangles},
         numbers::{Rotation, S4, S8, Scale, Subpixel, Turn},
         random::Random,

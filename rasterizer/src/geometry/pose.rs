@@ -7,6 +7,18 @@ use crate::{
 
 /// Size, direction and place of an object: a point p of the model lies at `translation + rotation *
 /// (scale * p)`.
+///
+/// A part that moves with another one has the pose [`compose`](Self::compose) makes of both:
+///
+/// ```
+/// # use rasterizer::prelude::*;
+/// # fn hand(shoulder: Pose, bend: Turn) -> Pose {
+/// // The elbow is one unit along the upper arm; the forearm bends there.
+/// let elbow = Pose::rotated(Rotation::about_x(bend)).at(Vec3::Y);
+/// let forearm = shoulder.compose(elbow);
+/// # forearm
+/// # }
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Pose {
     /// How the model is rotated.
@@ -39,6 +51,35 @@ impl Pose {
     pub const fn scaled(self, scale: Distance) -> Self {
         Self { scale, ..self }
     }
+
+    /// Where a point of the model lies. It is rounded, within 2<sup>-16</sup> for the scale 1 and
+    /// within 2<sup>-15</sup> for others, and saturates at the ends of the range.
+    #[must_use]
+    pub fn apply(&self, point: Vec3) -> Vec3 {
+        let scale = i64::from(self.scale.to_bits());
+        // Below 2^63.
+        let scaled = point.to_bits().map(|c| (i64::from(c) * scale + (1 << 15)) >> 16);
+        let scaled = scaled.map(|c| c.clamp(i32::MIN.into(), i32::MAX.into()) as i32);
+        self.translation + self.rotation * Vec3::from_bits(scaled)
+    }
+
+    /// The pose of a part that has the pose `first` in the space of what has this pose: a point
+    /// lies where this pose takes what `first` makes of it.
+    ///
+    /// The rotation is [`Rotation::compose`]'s: orthonormal within 2<sup>-26</sup> however many
+    /// parts follow each other, and turned by 2<sup>-29</sup> radians at most by rounding. The
+    /// place is as exact as [`apply`](Self::apply); the scale is rounded to a 65,536th and
+    /// saturates.
+    #[must_use]
+    pub fn compose(self, first: Self) -> Self {
+        let [a, b] = [self.scale, first.scale].map(|scale| u64::from(scale.to_bits()));
+        let scale = (a * b).saturating_add(1 << 15) >> 16;
+        Self {
+            rotation: self.rotation.compose(first.rotation),
+            translation: self.apply(first.translation),
+            scale: Distance::from_bits(u32::try_from(scale).unwrap_or(u32::MAX)),
+        }
+    }
 }
 
 impl Default for Pose {
@@ -70,6 +111,8 @@ impl Default for Pose {
 /// conditions on m and w alone count: an object may be 1,024 or 64 times as wide as the guard band.
 /// Further, the mesh's origin lies within 2<sup>16</sup> units of the pose's, and w is at least
 /// 2<sup>-22</sup> units with S4 and 2<sup>-18</sup> with S8, or f times that if f is over 1.
+///
+/// An object that a matrix changes has these limits in another size: [`Shaped`](super::Shaped).
 ///
 /// [`S4`]: crate::numbers::S4
 /// [`S8`]: crate::numbers::S8

@@ -1,11 +1,12 @@
 //! Object space to clip space to the screen: the work on every vertex.
 
 use super::{
-    Pose, PoseError, Projection, ScreenVertex,
+    PoseError, Projection, ScreenVertex,
     lens::{Lens, Reach},
     placement::{self, Axis, Grid},
     row::Row,
     screen::GUARD_BITS,
+    shape::Posed,
 };
 use crate::{
     attribute::{DepthFormat, Interpolate, Varyings},
@@ -38,7 +39,7 @@ pub(crate) trait Axes: Copy {
         camera: &Camera<P>,
         axis: usize,
         magnification: Float,
-        pose: &Pose,
+        posed: impl Posed,
         offset: Vec3,
     ) -> Axis;
 }
@@ -54,10 +55,10 @@ impl Axes for CameraAxes {
         camera: &Camera<P>,
         axis: usize,
         magnification: Float,
-        pose: &Pose,
+        posed: impl Posed,
         offset: Vec3,
     ) -> Axis {
-        Axis::new(camera, axis, magnification, pose, offset)
+        Axis::new(camera, axis, magnification, posed, offset)
     }
 }
 
@@ -99,7 +100,7 @@ impl<P: Projection> Transform<P> {
     pub(crate) fn new<S: Subpixel>(
         camera: &Camera<P>,
         axes: impl Axes,
-        pose: &Pose,
+        posed: impl Posed,
         mesh: &Mesh<'_>,
     ) -> Self {
         let projection = camera.projection();
@@ -109,11 +110,11 @@ impl<P: Projection> Transform<P> {
         let [mut across, deep] = projection.magnification(size.height);
         across.exponent -= GUARD_BITS as i32;
         let offset = mesh.tables().offset;
-        let axis = |axis, magnification| axes.axis(camera, axis, magnification, pose, offset);
+        let axis = |axis, magnification| axes.axis(camera, axis, magnification, posed, offset);
         let (mut x_axis, mut y_axis, mut z_axis) =
             (axis(0, across), axis(1, across), axis(2, deep));
-        let mut grid = Grid::new(pose, mesh);
-        let mut is_in_range = placement::is_offset_in_range(pose, offset);
+        let mut grid = Grid::new(posed, mesh);
+        let mut is_in_range = placement::is_offset_in_range(posed, offset);
         let mut is_moved = false;
         let mut reach = z_axis.reach(&grid);
         reach.mantissa = -reach.mantissa;
@@ -132,7 +133,7 @@ impl<P: Projection> Transform<P> {
                     row.end(mesh, false).saturating_abs().max(row.end(mesh, true).saturating_abs())
                 });
                 let near_axis = projection.least_w(&Reach {
-                    distance: grid.distance([&x_axis, &y_axis, &z_axis]),
+                    distance: grid.distance([&x_axis, &y_axis, &z_axis], posed, mesh),
                     across,
                     least_w,
                     side: i64::from(x) + i64::from(y),
@@ -163,7 +164,7 @@ impl<P: Projection> Transform<P> {
                     center: [2 * corner.x + size.width as i32, 2 * corner.y + size.height as i32],
                 };
             }
-            is_in_range &= grid.move_anchor([&mut x_axis, &mut y_axis, &mut z_axis], mesh);
+            is_in_range &= grid.move_anchor([&mut x_axis, &mut y_axis, &mut z_axis], posed, mesh);
             is_moved = true;
         }
     }
@@ -354,6 +355,7 @@ mod tests {
     use super::*;
     use crate::{
         camera::{Orthographic, Perspective},
+        geometry::Pose,
         mesh::{Material, Positions, Tables, Triangles},
         numbers::{Rotation, S4, S8, Scale, Turn},
         random::Random,

@@ -4,9 +4,10 @@
 use heapless::Vec;
 
 use super::{
-    ClipPlanes, Pose,
+    ClipPlanes,
     clip::MAX_CORNERS,
     clip_planes::Corner,
+    shape::Posed,
     transform::{Axes, CameraAxes, ClipVertex},
 };
 use crate::{attribute::Varyings, mesh::Mesh, numbers::Coordinate};
@@ -76,7 +77,7 @@ pub(crate) trait UserPlanes: Copy {
 
     /// The same for an object in its pose.
     #[inline(always)]
-    fn placed(self, _: &Pose, _: &Mesh<'_>) -> Self {
+    fn placed(self, _: impl Posed, _: &Mesh<'_>) -> Self {
         self
     }
 
@@ -169,8 +170,8 @@ impl<const N: usize> UserPlanes for ClipPlanes<N> {
     }
 
     #[inline(always)]
-    fn placed(self, pose: &Pose, mesh: &Mesh<'_>) -> Self {
-        self.placed(pose, mesh)
+    fn placed(self, posed: impl Posed, mesh: &Mesh<'_>) -> Self {
+        self.placed(posed, mesh)
     }
 
     #[inline(always)]

@@ -16,6 +16,7 @@ mod finish;
 mod lines;
 mod material;
 mod points;
+mod shaping;
 mod vertex;
 
 pub use bounds::BoundingBox;
@@ -27,6 +28,7 @@ pub use finish::Finish;
 pub use lines::{Lines, Segments};
 pub use material::MeshMaterial;
 pub use points::{PointIndices, Points};
+pub(crate) use shaping::Shaping;
 pub use vertex::{MeshFace, MeshVertex, RequiredTables};
 
 use crate::numbers::{Scale, Vec3};

@@ -1,6 +1,6 @@
 //! Vertices and triangles of a mesh, as a shader sees them.
 
-use super::{Normals, Positions, Tables, TextureCoordinates};
+use super::{Normals, Positions, Tables, TextureCoordinates, shaping::Shaping};
 
 /// The optional tables of a mesh that a shader reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -62,22 +62,44 @@ fn cut<T>(column: &[T], count: usize, is_read: bool) -> Option<&[T]> {
 }
 
 /// A vertex of a mesh. Each method reads its table when it is called.
+///
+/// Of an object with a matrix of its own ([`Object::shaped`](crate::scene::Object::shaped))
+/// position and normal are those that the matrix makes of the table's: object space is the space
+/// after it.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshVertex<'a> {
     tables: &'a Tables<'a>,
     index: usize,
+    // codegen: a constant where there is no matrix, as all that reads it is inlined.
+    shaping: Option<&'a Shaping>,
 }
 
 impl<'a> MeshVertex<'a> {
     #[inline(always)]
-    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { tables, index }
+    pub(crate) const fn new(
+        tables: &'a Tables<'a>,
+        index: usize,
+        shaping: Option<&'a Shaping>,
+    ) -> Self {
+        Self { tables, index, shaping }
     }
 
-    /// Its position in quanta of the mesh.
+    /// Its position in quanta of the mesh that [`ObjectView::mesh`] returns.
+    ///
+    /// [`ObjectView::mesh`]: crate::geometry::ObjectView::mesh
     #[inline(always)]
     #[must_use]
     pub fn position(&self) -> [i16; 3] {
+        let position = self.table_position();
+        match self.shaping {
+            Some(shaping) => shaping.position(position),
+            None => position,
+        }
+    }
+
+    /// Its position in the table.
+    #[inline(always)]
+    pub(crate) fn table_position(&self) -> [i16; 3] {
         self.tables.positions.get(self.index).unwrap_or_default()
     }
 
@@ -85,7 +107,11 @@ impl<'a> MeshVertex<'a> {
     #[inline(always)]
     #[must_use]
     pub fn normal(&self) -> [i8; 3] {
-        self.tables.vertex_normals.get(self.index).unwrap_or_default()
+        let normal = self.tables.vertex_normals.get(self.index).unwrap_or_default();
+        match self.shaping {
+            Some(shaping) => shaping.normal(normal),
+            None => normal,
+        }
     }
 
     /// Its texture coordinates u and v with 24 bits behind the binary point, 1 being the texture's
@@ -112,17 +138,23 @@ impl<'a> MeshVertex<'a> {
     }
 }
 
-/// A triangle of a mesh. Each method reads its table when it is called.
+/// A triangle of a mesh. Each method reads its table when it is called; middle and normal are in
+/// the space of a [`MeshVertex`]'s.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshFace<'a> {
     tables: &'a Tables<'a>,
     index: usize,
+    shaping: Option<&'a Shaping>,
 }
 
 impl<'a> MeshFace<'a> {
     #[inline(always)]
-    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize) -> Self {
-        Self { tables, index }
+    pub(crate) const fn new(
+        tables: &'a Tables<'a>,
+        index: usize,
+        shaping: Option<&'a Shaping>,
+    ) -> Self {
+        Self { tables, index, shaping }
     }
 
     /// Its place in the table, from 0.
@@ -132,7 +164,9 @@ impl<'a> MeshFace<'a> {
         self.index
     }
 
-    /// The mean of its corners' positions, in quanta of the mesh, within one of them.
+    /// The mean of its corners' positions, in quanta of the mesh that
+    /// [`ObjectView::mesh`](crate::geometry::ObjectView::mesh) returns, within one of them, or one
+    /// of the table's.
     #[inline(always)]
     #[must_use]
     pub fn center(&self) -> [i16; 3] {
@@ -144,13 +178,21 @@ impl<'a> MeshFace<'a> {
             let sum = i32::from(a) + i32::from(b) + i32::from(c);
             ((sum * 21_845 + (1 << 15)) >> 16) as i16
         };
-        [third([ax, bx, cx]), third([ay, by, cy]), third([az, bz, cz])]
+        let center = [third([ax, bx, cx]), third([ay, by, cy]), third([az, bz, cz])];
+        match self.shaping {
+            Some(shaping) => shaping.position(center),
+            None => center,
+        }
     }
 
     /// Its normal in object space, 127 standing for 1; zero if the mesh has none.
     #[inline(always)]
     #[must_use]
     pub fn normal(&self) -> [i8; 3] {
-        self.tables.face_normals.get(self.index).unwrap_or_default()
+        let normal = self.tables.face_normals.get(self.index).unwrap_or_default();
+        match self.shaping {
+            Some(shaping) => shaping.normal(normal),
+            None => normal,
+        }
     }
 }

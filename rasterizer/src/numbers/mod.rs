@@ -5,6 +5,8 @@
 //! | [`Scalar`] | Q16.16 | world coordinates |
 //! | [`Turn`] | Q0.32 turns | angles |
 //! | [`Rotation`] | Q2.30 | matrices whose rows have length one |
+//! | [`Quaternion`] | Q2.30 | rotations about an axis, and ways between two |
+//! | [`Matrix`] | Q16.16 | what stretches, mirrors or shears |
 //! | [`Scale`] | 32-bit mantissa, exponent | the length of a mesh's quantum |
 //!
 //! The kernels have these errors, and tests check them: the reciprocal 2<sup>-27</sup> of its value
@@ -19,6 +21,8 @@ mod float;
 mod instructions;
 mod interchange;
 mod length;
+mod matrix;
+mod quaternion;
 mod reciprocal;
 mod root;
 mod rotation;
@@ -38,6 +42,8 @@ pub(crate) use instructions::{
     mul_wide_q30, normalised, not_negative, saturate, shifted,
 };
 pub(crate) use length::Scaled;
+pub use matrix::Matrix;
+pub use quaternion::Quaternion;
 pub(crate) use reciprocal::Reciprocal;
 pub(crate) use root::{inverse_square_root, unit};
 pub use rotation::Rotation;
@@ -45,5 +51,5 @@ pub(crate) use rotation::cross;
 pub use scale::Scale;
 pub use subpixel::{S4, S8, Subpixel};
 pub use turn::Turn;
-pub(crate) use turn::cotangent_of_half;
+pub(crate) use turn::{angle, cotangent_of_half};
 pub use vector::{Scalar, Vec3};

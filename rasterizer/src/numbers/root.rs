@@ -43,17 +43,22 @@ const fn mantissa(m: u64) -> u32 {
 }
 
 /// A direction as three numbers in Q30 whose squares add up to 1, within 2<sup>-28</sup>, or `None`
-/// for a zero vector.
+/// for a zero vector. Or as four.
 #[inline(never)]
-pub(crate) const fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
-    let largest = v[0].unsigned_abs() | v[1].unsigned_abs() | v[2].unsigned_abs();
+pub(crate) const fn unit<const N: usize>(v: [i64; N]) -> Option<[i32; N]> {
+    const { assert!(N <= 4) }
+    let (mut largest, mut axis) = (0, 0);
+    while axis < N {
+        largest |= v[axis].unsigned_abs();
+        axis += 1;
+    }
     if largest == 0 {
         return None;
     }
-    // To 30 bits, so that three squares add up in 64.
+    // To 30 bits, so that four squares add up in 64.
     let shift = 34 - largest.leading_zeros() as i32;
     let (mut v, mut squares, mut axis) = (v, 0, 0);
-    while axis < 3 {
+    while axis < N {
         v[axis] = if shift > 0 { v[axis] >> shift } else { v[axis] << -shift };
         squares += (v[axis] * v[axis]) as u64;
         axis += 1;
@@ -62,7 +67,7 @@ pub(crate) const fn unit(v: [i64; 3]) -> Option<[i32; 3]> {
     // c * mantissa * 2^exponent in Q30, rounded; c has 30 bits, the mantissa 31, and exponent + 30
     // is about -31.
     let down = -(exponent + 30);
-    let mut unit = [0; 3];
+    let mut unit = [0; N];
     while axis > 0 {
         axis -= 1;
         unit[axis] = ((v[axis] * mantissa as i64 + (1 << (down - 1))) >> down) as i32;

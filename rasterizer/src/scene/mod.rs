@@ -47,9 +47,9 @@ pub use vertices::{OnDemand, Vertices};
 use crate::{
     attribute::DepthFormat,
     camera::Camera,
-    geometry::{Clipping, Culling, Pose, Projection, ScreenVertex},
+    geometry::{Clipping, Culling, Pose, Projection, ScreenVertex, Shape, Shaped},
     mesh::Mesh,
-    numbers::Subpixel,
+    numbers::{Matrix, Subpixel},
     output::{Blending, Target},
     raster::DepthBias,
     shade::{OnScreen, Shader},
@@ -76,15 +76,15 @@ impl<'a, Sh: Shader> Object<'a, Sh> {
     }
 }
 
-impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias>
-    Object<'a, Sh, Modes<K, L, B, Z>>
+impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias, G: Shape>
+    Object<'a, Sh, Modes<K, L, B, Z, G>>
 {
     /// The same object with other faces left out: [`CullBack`](crate::geometry::CullBack),
     /// [`CullFront`](crate::geometry::CullFront) or [`CullNone`](crate::geometry::CullNone).
     #[must_use]
-    pub fn culled<N: Culling>(self, culling: N) -> Object<'a, Sh, Modes<N, L, B, Z>> {
-        let Modes { clipping, blending, bias, .. } = self.mode;
-        self.with_mode(Modes { culling, clipping, blending, bias })
+    pub fn culled<N: Culling>(self, culling: N) -> Object<'a, Sh, Modes<N, L, B, Z, G>> {
+        let Modes { clipping, blending, bias, shape, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias, shape })
     }
 
     /// The same object with triangles that reach beyond the near plane, the far plane or the guard
@@ -106,9 +106,9 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias>
     /// # }
     /// ```
     #[must_use]
-    pub fn clipped<N: Clipping>(self, clipping: N) -> Object<'a, Sh, Modes<K, N, B, Z>> {
-        let Modes { culling, blending, bias, .. } = self.mode;
-        self.with_mode(Modes { culling, clipping, blending, bias })
+    pub fn clipped<N: Clipping>(self, clipping: N) -> Object<'a, Sh, Modes<K, N, B, Z, G>> {
+        let Modes { culling, blending, bias, shape, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias, shape })
     }
 
     /// The same object with its pixels put onto the target in another way:
@@ -116,18 +116,47 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias>
     /// [`Add`](crate::output::Add), [`Blend`](crate::output::Blend) with a function of the stored
     /// colour and the new one; or one of them in [`KeepDepth`](crate::output::KeepDepth).
     #[must_use]
-    pub fn blended<N: Copy>(self, blending: N) -> Object<'a, Sh, Modes<K, L, N, Z>> {
-        let Modes { culling, clipping, bias, .. } = self.mode;
-        self.with_mode(Modes { culling, clipping, blending, bias })
+    pub fn blended<N: Copy>(self, blending: N) -> Object<'a, Sh, Modes<K, L, N, Z, G>> {
+        let Modes { culling, clipping, bias, shape, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias, shape })
     }
 
     /// The same object with its depth moved towards the viewer or away from it by a
     /// [`Bias`](crate::raster::Bias): for a decal on another object, or for an object whose
     /// [lines](Projected::lines) are drawn over it.
     #[must_use]
-    pub fn biased<N: DepthBias>(self, bias: N) -> Object<'a, Sh, Modes<K, L, B, N>> {
-        let Modes { culling, clipping, blending, .. } = self.mode;
-        self.with_mode(Modes { culling, clipping, blending, bias })
+    pub fn biased<N: DepthBias>(self, bias: N) -> Object<'a, Sh, Modes<K, L, B, N, G>> {
+        let Modes { culling, clipping, blending, shape, .. } = self.mode;
+        self.with_mode(Modes { culling, clipping, blending, bias, shape })
+    }
+
+    /// The same object with its model changed by a matrix before it is posed: stretched by another
+    /// factor along each axis, mirrored, sheared, flattened. A point p of the model lies at
+    /// `translation + rotation * (scale * (matrix * p))`.
+    ///
+    /// Light is as on a model that was made in that shape: normals stay at right angles to the
+    /// surface ([`Shaped`]), and in a mirror front faces stay in front. An object without a matrix
+    /// has no code for it.
+    ///
+    /// ```
+    /// # use embedded_graphics_core::pixelcolor::Rgb565;
+    /// use rasterizer::numbers::Matrix;
+    /// # use rasterizer::{geometry::{AsModelled, Shaped}, mesh::Mesh, output::Replace, prelude::*};
+    /// # use rasterizer::{raster::NoBias, scene::Modes};
+    /// /// Flat as a discus, and its other hand.
+    /// const FLAT: Matrix = Matrix::scaling(Scalar::ONE, Scalar::lit("0.25"), Scalar::NEG_ONE);
+    ///
+    /// # type Flattened<'a> =
+    /// #     Object<'a, Flat<Rgb565>, Modes<CullBack, ClipAll, Replace, NoBias, Shaped>>;
+    /// # fn flattened<'a>(mesh: &'a Mesh<'a>, sun: Light, pose: Pose) -> Flattened<'a> {
+    /// Object::new(mesh, Flat::new(sun)).shaped(&FLAT).posed(pose)
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn shaped(self, matrix: &Matrix) -> Object<'a, Sh, Modes<K, L, B, Z, Shaped>> {
+        let Modes { culling, clipping, blending, bias, .. } = self.mode;
+        let shape = Shaped::new(matrix);
+        self.with_mode(Modes { culling, clipping, blending, bias, shape })
     }
 }
 

@@ -12,7 +12,7 @@ use super::{
 use crate::{
     attribute::DepthFormat,
     camera::Camera,
-    geometry::{Projection, ScreenVertex},
+    geometry::{Change as _, Projection, ScreenVertex},
     mesh::{MeshFace, MeshMaterial},
     numbers::Subpixel,
     output::{Blending, Readable, Target},
@@ -192,7 +192,7 @@ where
                     corners
                 };
                 let triangle = Triangle::with_area(corners, area);
-                let face = MeshFace::new(self.tables(), index);
+                let face = MeshFace::new(self.tables(), index, self.mode.shape().shaping());
                 let of_mesh = MeshMaterial::new(self.tables(), material);
                 let blending = self.mode.blending().of_material(&of_mesh);
                 match self.shader.face(surface, &face, &Gradients::of(&triangle)) {

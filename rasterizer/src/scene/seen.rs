@@ -9,8 +9,8 @@ use crate::{
     attribute::{DepthFormat, Interpolate},
     camera::Camera,
     geometry::{
-        ClipVertex, Clipping, Corner, Culling, MAX_CORNERS, ObjectView, PoseError, Projection,
-        ScreenVertex, Transform, UserPlanes as _, clip,
+        Change as _, ClipVertex, Clipping, Corner, Culling, MAX_CORNERS, ObjectView, PoseError,
+        Projection, ScreenVertex, Transform, UserPlanes as _, clip,
     },
     mesh::{Material, Mesh, MeshMaterial, MeshVertex, Tables},
     numbers::{Subpixel, codegen},
@@ -45,14 +45,22 @@ impl<'a, V: Vertices<OnScreen<Sh>>, P: Projection, Sh: Shader, M: Mode> Seen<'a,
     /// [`check`](Self::check) has succeeded.
     #[inline(always)]
     pub(super) fn new(object: &Object<'a, Sh, M>, camera: &Camera<P>, vertices: V) -> Self {
-        let view = ObjectView::new(object.mesh, &object.pose, camera);
+        let (shape, changed);
+        shape = object.mode.shape();
+        let mesh = if M::Shape::CHANGES {
+            changed = shape.mesh(object.mesh);
+            &changed
+        } else {
+            object.mesh
+        };
+        let view = ObjectView::new(mesh, &object.pose, camera);
         let mut seen = Self {
             mesh: object.mesh,
             shader: object.shader.for_object(&view),
             transform: Transform::new::<V::Subpixel>(
                 camera,
                 object.mode.clipping().axes(),
-                &object.pose,
+                shape.posed(&object.pose),
                 object.mesh,
             ),
             vertices,
@@ -123,7 +131,7 @@ impl<'v, S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader, M: Mode>
     /// Projects all vertices into `storage`, which must hold exactly as many as the mesh has.
     pub(super) fn place(&mut self, storage: &'v mut [ScreenVertex<S, D, OnScreen<Sh>>]) {
         if !self.is_outside_view {
-            place(self.tables(), &self.shader, &self.transform, self.mode.clipping(), storage);
+            place(self.tables(), &self.shader, &self.transform, &self.mode, storage);
             self.vertices = storage;
         }
     }
@@ -188,7 +196,7 @@ where
                 break;
             };
             if corners.iter().all(|corner| corner.is_on_screen()) {
-                if let Some(area) = Self::visible_area(corners, rows) {
+                if let Some(area) = self.visible_area(corners, rows) {
                     if OnScreen::<Sh>::DIFFERS_BY_TRIANGLE {
                         let own: [_; 3] = array::from_fn(|corner| corners[corner].at(corner));
                         visit(index, own.each_ref(), area)?;
@@ -213,7 +221,7 @@ where
                     };
                     for pair in rim.windows(2) {
                         let corners = [hub, &pair[0], &pair[1]];
-                        if let Some(area) = Self::visible_area(corners, rows) {
+                        if let Some(area) = self.visible_area(corners, rows) {
                             visit(index, corners, area)?;
                         }
                     }
@@ -229,7 +237,7 @@ where
         &self,
         index: usize,
     ) -> ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>> {
-        let vertex = MeshVertex::new(self.tables(), index);
+        let vertex = MeshVertex::new(self.tables(), index, self.mode.shape().shaping());
         on_screen(&self.shader, &self.transform, self.mode.clipping(), &vertex)
     }
 
@@ -239,16 +247,21 @@ where
         &self,
         vertex: &MeshVertex<'_>,
     ) -> ClipVertex<CoordinateOf<V, Sh>, Sh::Varyings> {
-        let [x, y, z] = self.transform.object_to_clip_outlined(vertex.position());
+        let [x, y, z] = self.transform.object_to_clip_outlined(vertex.table_position());
         ClipVertex { x, y, z, varyings: self.shader.vertex(vertex) }
     }
 
     /// The signed area of a triangle that is seen and may reach `rows`.
     #[inline(always)]
-    fn visible_area(corners: Corners<'_, V::Subpixel, V::Depth, Sh>, rows: Rows) -> Option<i64> {
+    fn visible_area(
+        &self,
+        corners: Corners<'_, V::Subpixel, V::Depth, Sh>,
+        rows: Rows,
+    ) -> Option<i64> {
         let area = signed_area(corners);
         // Counter-clockwise is negative, as y runs downwards.
-        let is_seen = (area < 0 && M::Culling::FRONT) || (area > 0 && M::Culling::BACK);
+        let side = if self.mode.shape().is_mirrored() { -area } else { area };
+        let is_seen = (side < 0 && M::Culling::FRONT) || (side > 0 && M::Culling::BACK);
         (is_seen && !rows.are_missed_by(corners.map(|corner| corner.y))).then_some(area)
     }
 
@@ -318,8 +331,8 @@ where
     /// A vertex that is to be clipped, with its position.
     #[inline(always)]
     pub(super) fn corner(&self, index: usize) -> Corner<CoordinateOf<V, Sh>, Sh::Varyings> {
-        let vertex = MeshVertex::new(self.tables(), index);
-        (vertex.position(), self.vertex_in_clip_space(&vertex))
+        let vertex = MeshVertex::new(self.tables(), index, self.mode.shape().shaping());
+        (vertex.table_position(), self.vertex_in_clip_space(&vertex))
     }
 }
 
@@ -330,7 +343,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     tables: &Tables<'_>,
     shader: &Sh,
     transform: &Transform<P>,
-    clipping: &impl Clipping,
+    mode: &impl Mode,
     vertices: &mut [ScreenVertex<S, D, OnScreen<Sh>>],
 ) {
     let count = vertices.len();
@@ -345,7 +358,8 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        *vertex = on_screen(shader, &transform, clipping, &MeshVertex::new(&tables, index));
+        let of_mesh = MeshVertex::new(&tables, index, mode.shape().shaping());
+        *vertex = on_screen(shader, &transform, mode.clipping(), &of_mesh);
     }
 }
 
@@ -357,11 +371,11 @@ fn on_screen<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     clipping: &impl Clipping,
     vertex: &MeshVertex<'_>,
 ) -> ScreenVertex<S, D, OnScreen<Sh>> {
-    if !clipping.keeps(vertex.position()) {
+    if !clipping.keeps(vertex.table_position()) {
         return ScreenVertex::off_screen(Interpolate::ZERO);
     }
     let varyings = shader.vertex(vertex);
-    transform.clip_to_screen(transform.object_to_clip(vertex.position(), varyings))
+    transform.clip_to_screen(transform.object_to_clip(vertex.table_position(), varyings))
 }
 
 /// The columns and rows whose centres lie between the corners of a triangle.
