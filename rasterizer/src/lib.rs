@@ -176,6 +176,7 @@
 //! | pixels of less than a byte | the target's type | [`PackedFrame`](output::PackedFrame), [`Bands::packed`](output::Bands::packed); [`InRows`](output::InRows) or [`InPages`](output::InPages) |
 //! | pixels that may change | a wrapper of the target | all of it, or those in a rectangle: [`Scissored`](output::Scissored) |
 //! | each pixel once, where triangles overlap | a wrapper of the target | [`Once`](output::Once), with a bit for each pixel |
+//! | shapes without a file | constants | [`mesh::shapes`] |
 //! | billboards, particles | a mesh and a pose | [`Card`](mesh::Card), [`Pose::facing`](geometry::Pose::facing) the camera, sized in units or [in pixels](geometry::Pose::in_pixels) |
 //! | shadow on a plane | [`Object::clipped`](scene::Object::clipped) | [`PlanarShadow`](geometry::PlanarShadow): the object's shadow in its place |
 //! | samples a pixel | the constructor of the bands | 1, or 2 x 2 and 4 x 4 with [`Bands::supersampled`](output::Bands::supersampled); [`Frame::resolved`](output::Frame::resolved) |
@@ -240,6 +241,7 @@
 //!   depth are drawn in the order of the calls. Bins of triangles that are sorted from back to
 //!   front.
 //! * Mirrors that show what lies before them, other than by a second object in a matrix.
+//! * Texture coordinates of an [`Icosphere`](mesh::shapes::Icosphere).
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
 //! * Vertices kept across the bands of a frame for several objects in one storage: each has its
 //!   own, or none ([`Object::project_on_demand`](scene::Object::project_on_demand)).

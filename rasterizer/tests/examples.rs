@@ -70,6 +70,7 @@ examples! {
     several_objects = "../examples/several_objects.rs",
     shadows = "../examples/shadows.rs",
     shaped = "../examples/shaped.rs",
+    shapes = "../examples/shapes.rs",
     smooth_lines = "../examples/smooth_lines.rs",
     supersampling = "../examples/supersampling.rs",
     text_over_picture = "../examples/text_over_picture.rs",

@@ -44,6 +44,7 @@ mod seam;
 #[cfg(not(rasterizer_narrow))]
 mod sending;
 mod shadows;
+mod shapes;
 mod smooth_lines;
 mod supersampling;
 mod targets;

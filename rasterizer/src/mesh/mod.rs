@@ -16,6 +16,7 @@ mod finish;
 mod lines;
 mod material;
 mod points;
+pub mod shapes;
 mod shaping;
 mod vertex;
 
