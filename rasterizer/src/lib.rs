@@ -149,6 +149,7 @@
 //! |---|---|---|
 //! | sub-pixel precision | the type of the vertex storage | [`S4`](numbers::S4), [`S8`](numbers::S8) |
 //! | depth | the type of the depth buffer | `u16`, [`FloatDepth`](attribute::FloatDepth), `u32`, [`NoDepth`](attribute::NoDepth) |
+//! | how a camera moves | what makes it | [`Camera::look_at`](camera::Camera::look_at) and others, [`Orbit`](camera::Orbit), [`FirstPerson`](camera::FirstPerson) |
 //! | projection | the camera's type | [`Perspective`](camera::Perspective), [`Orthographic`](camera::Orthographic) |
 //! | faces left out | [`Object::culled`](scene::Object::culled) | [`CullBack`](geometry::CullBack), [`CullFront`](geometry::CullFront), [`CullNone`](geometry::CullNone) |
 //! | triangles cut or left out | [`Object::clipped`](scene::Object::clipped) | [`ClipAll`](geometry::ClipAll), [`ClipNone`](geometry::ClipNone) for objects that stay between the clip planes, or [`ClipPlanes`](geometry::ClipPlanes) with planes of your own, in world or object space |
@@ -241,6 +242,7 @@
 //!   depth are drawn in the order of the calls. Bins of triangles that are sorted from back to
 //!   front.
 //! * Mirrors that show what lies before them, other than by a second object in a matrix.
+//! * Controllers of cameras that roll; [`Camera::at`](camera::Camera::at) has any rotation.
 //! * Texture coordinates of an [`Icosphere`](mesh::shapes::Icosphere).
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
 //! * Vertices kept across the bands of a frame for several objects in one storage: each has its

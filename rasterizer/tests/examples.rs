@@ -78,6 +78,7 @@ examples! {
     textured = "../examples/textured.rs",
     unlit = "../examples/unlit.rs",
     vertex_colors = "../examples/vertex_colors.rs",
+    viewports = "../examples/viewports.rs",
     visibility = "../examples/visibility.rs",
     wireframe = "../examples/wireframe.rs",
 }

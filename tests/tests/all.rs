@@ -35,6 +35,7 @@ mod object_lines;
 mod packed_frames;
 mod painter;
 mod perspective;
+mod picking;
 mod pictures;
 mod placement;
 mod placement_table;

@@ -4,8 +4,10 @@
 //! a projection ([`Perspective`] or [`Orthographic`]) and a viewport: the rectangle of the display
 //! that shows the picture, in pixels from the display's top-left corner.
 
+mod control;
 mod projection;
 
+pub use control::{FirstPerson, Orbit};
 use embedded_graphics_core::primitives::Rectangle;
 pub use projection::{Distance, Orthographic, Perspective};
 
@@ -103,6 +105,37 @@ impl<P> Camera<P> {
         Self::new(eye, [right, cross(forward, right), forward], projection, viewport)
     }
 
+    /// A camera at `eye` that looks at `target` with its axis to the right exactly level, in every
+    /// direction: straight up and straight down that axis is x, so that -z is at the upper side of
+    /// what lies below, as on a map.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`CameraError::Direction`] if `target` is `eye`, and [`CameraError::ViewportSize`]
+    /// or [`CameraError::ViewportOffset`] for a bad viewport.
+    pub fn level(
+        eye: Vec3,
+        target: Vec3,
+        projection: P,
+        viewport: Rectangle,
+    ) -> Result<Self, CameraError> {
+        let axes = level_axes(eye, target, [1, 0])?;
+        Self::new(eye, axes, projection, viewport)
+    }
+
+    /// The same camera turned to a target, with its axis to the right exactly level. If the target
+    /// is straight above it or below, that axis is as it was: a camera that follows what passes
+    /// overhead does not turn round there.
+    ///
+    /// # Errors
+    ///
+    /// Returns [`CameraError::Direction`] if `target` is the camera's own place.
+    pub fn aimed_at(self, target: Vec3) -> Result<Self, CameraError> {
+        let [right, _, _] = self.axes;
+        let axes = level_axes(self.eye, target, [right[0], right[2]])?;
+        Ok(Self { axes, ..self })
+    }
+
     /// A camera at `eye` that looks along -z with y up, turned by `rotation`.
     ///
     /// # Errors
@@ -178,6 +211,18 @@ impl<P> Camera<P> {
     pub(crate) const fn axes(&self) -> &[[i32; 3]; 3] {
         &self.axes
     }
+}
+
+/// The axes of a camera that looks at a target with a level axis to the right: that one, by its x
+/// and z, if the direction is straight up or down.
+fn level_axes(eye: Vec3, target: Vec3, right: [i32; 2]) -> Result<[[i32; 3]; 3], CameraError> {
+    let (e, t) = (eye.to_bits(), target.to_bits());
+    let way: [i64; 3] = core::array::from_fn(|i| i64::from(t[i]) - i64::from(e[i]));
+    let forward = unit(way).ok_or(CameraError::Direction)?;
+    let [x, z] = right.map(i64::from);
+    // The cross product with y; of a camera on its side not even the last one is level.
+    let right = unit([-way[2], 0, way[0]]).or(unit([x, 0, z])).unwrap_or([1 << 30, 0, 0]);
+    Ok([right, cross(forward, right), forward])
 }
 
 #[cfg(test)]
@@ -261,6 +306,43 @@ mod tests {
                 assert!(error.abs() < 2f64.powi(-27), "{target:?} {up:?}: {error}");
             }
         }
+    }
+
+    /// Of targets all round, some of them straight above and below, and nearly so.
+    #[test]
+    fn level_cameras_survive_looking_straight_up() {
+        let eye = Vec3::lit("1", "2", "3");
+        let mut camera = Camera::level(eye, Vec3::lit("1", "2", "0"), LENS, screen(9, 9)).unwrap();
+        let mut straight = 0;
+        for step in 0..2000i32 {
+            // Overhead along a line, from one side to the other.
+            let x = step - 1000;
+            let way = [x, if step % 2 == 0 { 70_000 } else { -70_000 }, 2 * x];
+            let before = camera;
+            camera = camera.aimed_at(eye + Vec3::from_bits(way)).unwrap();
+            let [right, down, forward] = camera.axes.map(|axis| axis.map(f64::from));
+            assert_eq!(right[1], 0.0);
+            assert!(down[1] <= 0.0);
+            let length = way.iter().map(|&c| f64::from(c).powi(2)).sum::<f64>().sqrt();
+            for (got, want) in forward.iter().zip(way) {
+                assert!((got / 2f64.powi(30) - f64::from(want) / length).abs() < 2f64.powi(-27));
+            }
+            for (a, b) in [(right, down), (down, forward), (right, forward)] {
+                let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();
+                assert!(product.abs() < 2f64.powi(60 - 27), "{camera:?}");
+            }
+            if x == 0 {
+                assert_eq!(camera.axes[0], before.axes[0]);
+                straight += 1;
+            }
+        }
+        assert_eq!(straight, 1);
+        let up = |y| Camera::level(Vec3::ZERO, Vec3::lit("0", y, "0"), LENS, screen(9, 9)).unwrap();
+        const ONE: i32 = 1 << 30;
+        assert_eq!(up("-5").axes, [[ONE, 0, 0], [0, 0, ONE], [0, -ONE, 0]]);
+        assert_eq!(up("5").axes, [[ONE, 0, 0], [0, 0, -ONE], [0, ONE, 0]]);
+        assert_eq!(Camera::level(eye, eye, LENS, screen(9, 9)), Err(CameraError::Direction));
+        assert_eq!(camera.aimed_at(eye), Err(CameraError::Direction));
     }
 
     #[test]

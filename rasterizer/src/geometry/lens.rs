@@ -24,6 +24,12 @@ pub(crate) trait Sealed {
     /// The distance of the near plane, in world units.
     fn near_distance(&self) -> Distance;
 
+    /// The distances of the near plane and of the far plane, in world units.
+    fn range(&self) -> [Float; 2];
+
+    /// The depth of a point at a distance along the camera's axis, in world units.
+    fn depth_at(&self, distance: Float) -> Float;
+
     /// The lengths of clip space in one of the world: pixels across at w = 1, and units of z.
     fn magnification(&self, viewport_height: u32) -> [Float; 2];
 
@@ -96,6 +102,14 @@ impl Sealed for Perspective {
     #[inline(always)]
     fn near_distance(&self) -> Distance {
         self.near()
+    }
+
+    fn range(&self) -> [Float; 2] {
+        [self.near(), self.far()].map(Float::from_unsigned)
+    }
+
+    fn depth_at(&self, distance: Float) -> Float {
+        Float::from_unsigned(self.near()).times(distance.reciprocal())
     }
 
     /// In multiples of the near distance: depth is then 1 / z.
@@ -187,6 +201,16 @@ impl Sealed for Orthographic {
     #[inline(always)]
     fn near_distance(&self) -> Distance {
         self.near()
+    }
+
+    fn range(&self) -> [Float; 2] {
+        [self.near(), self.far()].map(Float::from_unsigned)
+    }
+
+    fn depth_at(&self, distance: Float) -> Float {
+        let [near, far] = self.range();
+        let minus = |a: Float, b: Float| a.plus(Float { mantissa: -b.mantissa, ..b });
+        minus(far, distance).times(minus(far, near).reciprocal())
     }
 
     fn magnification(&self, viewport_height: u32) -> [Float; 2] {
