@@ -238,8 +238,10 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         let (cell_blocks, last_cells) = cells.as_chunks_mut::<N>();
         for (colors, cells) in color_blocks.iter_mut().zip(cell_blocks) {
             codegen::keep_rolled();
-            self.depth = self.depth.wrapping_add(nothing.0);
-            self.varyings = self.varyings.wrapping_add(nothing.1);
+            if N > 2 {
+                self.depth = self.depth.wrapping_add(nothing.0);
+                self.varyings = self.varyings.wrapping_add(nothing.1);
+            }
             let (color_pairs, cell_pairs) = (colors.as_chunks_mut().0, cells.as_chunks_mut().0);
             for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
                 self.draw_pixel(color, cell, place, pixel);
