@@ -23,10 +23,13 @@ fn pitched(pitch: Turn, by: Turn) -> Turn {
 /// ```
 /// # use rasterizer::{camera::{CameraError, Orbit}, prelude::*};
 /// # use embedded_graphics_core::primitives::Rectangle;
-/// # fn camera(drag: [u32; 2], lens: Perspective, screen: Rectangle) -> Result<Camera, CameraError>
-/// { let mut orbit = Orbit::new(Vec3::ZERO, const { Distance::lit("4") }); // A finger that moves
-/// by a pixel turns it by half a degree. let [right, down] = drag;
-/// orbit.turn(-Turn::fraction(right, 720), Turn::fraction(down, 720)); orbit.camera(lens, screen)
+/// # fn camera(drag: [u32; 2], lens: Perspective, screen: Rectangle)
+/// # -> Result<Camera, CameraError> {
+/// let mut orbit = Orbit::new(Vec3::ZERO, const { Distance::lit("4") });
+/// // A finger that moves by a pixel turns it by half a degree.
+/// let [right, down] = drag;
+/// orbit.turn(-Turn::fraction(right, 720), Turn::fraction(down, 720));
+/// orbit.camera(lens, screen)
 /// # }
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
