@@ -3,6 +3,8 @@
 #[cfg(feature = "check")]
 pub mod check;
 pub mod model;
+#[cfg(feature = "plan")]
+pub mod plan;
 #[cfg(any(feature = "check", test))]
 pub mod reference;
 #[cfg(feature = "check")]

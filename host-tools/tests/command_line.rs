@@ -324,6 +324,53 @@ fn check_prints_a_table_with_bounds() {
 }
 
 #[test]
+fn plan_writes_a_renderer_and_says_why() {
+    let directory = directory_with("cube.obj", CUBE);
+    let line = "plan cube.obj --display 64x48 --steps 8 --explain";
+    let output = succeed(directory.path(), line);
+    for expected in ["the mesh is convex", "proven for all views", "everything on", "Not taken"] {
+        assert!(output.contains(expected), "{expected} in {output}");
+    }
+    let source = fs::read_to_string(directory.path().join("cube_plan.rs")).unwrap();
+    for expected in ["pub fn draw<", "pub struct Memory", "pub static CUBE", "const STEPS: u32 = 8"]
+    {
+        assert!(source.contains(expected), "{expected} in {source}");
+    }
+    // As one object, and to the standard output.
+    let json = succeed(directory.path(), "plan cube.obj --display 64x48 --steps 8 --json");
+    let json: Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(json["chosen"]["types"]["visibility"], "mesh-order");
+    assert_eq!(json["views"], 8);
+    assert!(json["flash_bytes"].as_u64().unwrap() > 1_000);
+    assert_eq!(succeed(directory.path(), "plan cube.obj --display 64x48 --steps 8 -o -"), source);
+}
+
+#[test]
+fn plans_that_cannot_be_are_refused() {
+    let directory = directory_with("cube.obj", CUBE);
+    let path = directory.path();
+    fs::write(path.join("views.txt"), "10 20 30\n10 20\n").unwrap();
+    for (line, expected) in [
+        ("plan cube.obj --ram 1K", "no renderer fits 1024 bytes"),
+        ("plan cube.obj --steps 100", "power of two"),
+        ("plan cube.obj --distance 1", "within the sphere"),
+        ("plan cube.obj --views views.txt", "views.txt:2"),
+        ("plan cube.obj --views nowhere.txt", "neither turntable nor orbit"),
+        ("plan - --steps 8", "name a file"),
+        ("plan cube.obj --ram 64KB", "64K"),
+    ] {
+        let error = refuse(path, line);
+        assert!(error.contains(expected), "{line}: {error}");
+    }
+    // Too slow is no bad input: the renderer is written.
+    let line = "plan cube.obj --display 64x48 --steps 8 --fps 1000 --clock 1MHz";
+    let output = run(path, line);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(text(&output.stderr).contains("frames a second are expected"));
+    assert!(path.join("cube_plan.rs").exists());
+}
+
+#[test]
 fn without_a_command_everything_is_made() {
     let directory = directory_with("a.obj", CUBE);
     let path = directory.path();
@@ -381,8 +428,8 @@ fn bad_arguments_are_refused() {
         ("convert a.obj --crease 181", "--crease"),
         ("render a.obj --background red", "--background"),
         ("convert", "<MODEL>"),
-        ("chek", "the commands are convert, render and check"),
-        ("chek a.obj", "the commands are convert, render and check"),
+        ("chek", "the commands are convert, render, check and plan"),
+        ("chek a.obj", "the commands are convert, render, check and plan"),
         ("a.obj b.obj", "b.obj"),
         ("convert a.obj -o no/a.rs", "there is no directory no"),
         ("render a.obj -o no/a.png", "there is no directory no"),

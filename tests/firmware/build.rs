@@ -99,6 +99,7 @@ fn link() -> Result<(), Box<dyn Error>> {
             "bench_shades",
             "bench_textures",
             "choice",
+            "planned",
             "scaling",
         ] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");

@@ -5,6 +5,7 @@ mod check;
 mod convert;
 mod image;
 mod output;
+mod plan;
 mod png;
 mod progress;
 mod render;
@@ -31,8 +32,9 @@ Examples:
   host-tools convert model.obj      Only the tables: model.rs
   host-tools render model.obj       Only the picture that a display shows: model.png
   host-tools check model.obj        Only fixed point against f64, in numbers and pictures
+  host-tools plan model.obj         A renderer that has only what the model needs
 
-Exit status: 0 for success, 1 if the check exceeds a bound, 2 for bad usage or bad input.";
+Exit status: 0 for success, 1 if the check exceeds a bound or a plan is too slow, 2 for bad usage or bad input.";
 
 /// Turns OBJ models into const tables for the fixed-point rasterizer, and checks its pictures
 /// against an f64 reference.
@@ -58,7 +60,7 @@ fn no_mistyped_command(path: PathBuf) -> Result<PathBuf, &'static str> {
     if path.exists() || path.extension().is_some() || path.components().count() > 1 {
         Ok(path)
     } else {
-        Err("there is no such file, and the commands are convert, render and check")
+        Err("there is no such file, and the commands are convert, render, check and plan")
     }
 }
 
@@ -67,6 +69,7 @@ enum Command {
     Convert(convert::Arguments),
     Render(render::Arguments),
     Check(check::Arguments),
+    Plan(plan::Arguments),
 }
 
 /// The result of a command after its files are written.
@@ -102,6 +105,7 @@ pub(crate) fn run() -> ExitCode {
         Some(Command::Convert(arguments)) => convert::run(arguments),
         Some(Command::Render(arguments)) => render::run(arguments),
         Some(Command::Check(arguments)) => check::run(arguments),
+        Some(Command::Plan(arguments)) => plan::run(arguments),
         None => showcase::run(arguments.model.as_deref(), arguments.force),
     };
     let told = done.and_then(|done| output::print(&done.output).map(|()| done.is_within_bounds));

@@ -17,6 +17,9 @@ use super::{
 /// The longest line of a table.
 const WIDTH: usize = 100;
 
+#[cfg(feature = "plan")]
+pub(crate) use emit_textures::texture_type;
+
 /// The source file of a model. Equal models give equal text.
 #[must_use]
 pub fn source(model: &Model) -> String {

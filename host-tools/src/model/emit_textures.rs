@@ -13,7 +13,7 @@ pub(super) fn textures(out: &mut String, model: &Model) -> std::fmt::Result {
         return Ok(());
     };
     let (name, each, count) = (&model.name, textures.description(), textures.by_material.len());
-    let type_name = type_name(name);
+    let type_name = texture_type(name);
     let layers = Layers::of(textures);
     writeln!(out, "\n/// A texture of [`{name}`]: {each}.")?;
     writeln!(out, "#[rustfmt::skip]")?;
@@ -223,7 +223,7 @@ fn color_function(out: &mut String, Layers { color, number, .. }: &Layers) -> st
 }
 
 /// The name of the type for that of the static: `TORUS_KNOT` becomes `TorusKnotTexture`.
-fn type_name(name: &str) -> String {
+pub(crate) fn texture_type(name: &str) -> String {
     let words = name.split('_').filter_map(|word| {
         let (first, rest) = word.split_at_checked(1)?;
         Some(first.to_owned() + &rest.to_ascii_lowercase())
@@ -243,7 +243,7 @@ mod tests {
             ("MODEL_2CV", "Model2cvTexture"),
             ("W_RFEL", "WRfelTexture"),
         ] {
-            assert_eq!(type_name(name), expected);
+            assert_eq!(texture_type(name), expected);
         }
     }
 }

@@ -44,9 +44,20 @@ pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
 /// Builds the program of the choices in a file of Rust, for a core or for the host, and returns its
 /// path. The next one for the same target replaces it.
 pub(crate) fn build_choices(core: Option<Core>, choices: &Path) -> Result<PathBuf> {
-    let choices = path::absolute(choices)?;
-    program(core, "choice", |command| {
-        command.env("CHOICES", choices).args(["--features", "choice"]);
+    around(core, "choice", "CHOICES", choices)
+}
+
+/// Builds the program of the plan in a file of Rust, in the same way.
+pub(crate) fn build_planned(core: Option<Core>, planned: &Path) -> Result<PathBuf> {
+    around(core, "planned", "PLANNED", planned)
+}
+
+/// Builds a program around a file of Rust, which an environment variable names. A feature of the
+/// same name keeps it out of other builds.
+fn around(core: Option<Core>, name: &str, variable: &str, file: &Path) -> Result<PathBuf> {
+    let file = path::absolute(file)?;
+    program(core, name, |command| {
+        command.env(variable, file).args(["--features", name]);
     })
 }
 

@@ -9,6 +9,7 @@ mod cycles;
 mod figures;
 mod firmware;
 mod frames;
+mod plan;
 mod plugin;
 mod progress;
 mod qemu;
@@ -38,6 +39,7 @@ Examples:
   cargo run --quiet --release --package measure -- size
   cargo run --quiet --release --package measure -- report model.obj
   cargo run --quiet --release --package measure -- stiffness
+  cargo run --quiet --release --package measure -- plan
 
 Exit status: 0 if all is well, 1 if a comparison fails, 2 for bad usage or if something is
 missing.";
@@ -60,6 +62,7 @@ enum Command {
     Size(size::Arguments),
     Report(report::Arguments),
     Stiffness(stiffness::Arguments),
+    Plan(plan::Arguments),
     /// Write tests/measure/RESULTS.md and its chart again, from the saved figures
     Render,
 }
@@ -82,6 +85,7 @@ fn main() -> ExitCode {
         Command::Size(arguments) => size::run(arguments),
         Command::Report(arguments) => report::run(arguments),
         Command::Stiffness(arguments) => stiffness::run(arguments),
+        Command::Plan(arguments) => plan::run(arguments),
         Command::Render => results::render().map(|()| Done { text: String::new(), is_good: true }),
     };
     match done.and_then(|done| print(&done.text).map(|()| done.is_good)) {

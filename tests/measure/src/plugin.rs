@@ -74,7 +74,7 @@ impl Plugin {
 }
 
 /// The address of a program's marks.
-fn marks(program: &Path) -> Result<u32> {
+pub(crate) fn marks(program: &Path) -> Result<u32> {
     let file = fs::read(program).with_context(|| program.display().to_string())?;
     let file = File::parse(file.as_slice()).context("the program is no ELF file")?;
     let marks = image::symbols(&file).into_iter().find(|symbol| symbol.name == MARKS);

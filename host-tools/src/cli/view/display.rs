@@ -48,7 +48,7 @@ impl DisplayOptions {
 }
 
 /// Width and height, as in 320x240.
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub(in crate::cli) fn size(text: &str) -> Result<[u32; 2], String> {
     let side = |text: &str| text.parse().ok().filter(|n| (1..=MAX_SIZE).contains(n));
     let sides = text.split_once(['x', 'X']).and_then(|(w, h)| Some([side(w)?, side(h)?]));
     sides.ok_or_else(|| {

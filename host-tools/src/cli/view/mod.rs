@@ -23,8 +23,8 @@ use self::{
     lights::LightOptions, planes::PlaneOptions, surface::SurfaceOptions,
 };
 pub(super) use self::{
-    display::MAX_SIZE,
-    names::{choice, within},
+    display::{MAX_SIZE, size},
+    names::{choice, numbers, within},
     settings::Settings,
 };
 use super::{smoothing::Smoothing, textures::TextureArguments};

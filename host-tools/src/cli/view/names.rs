@@ -29,7 +29,7 @@ pub(in crate::cli) fn within(
 }
 
 /// Numbers up to 32,000 with commas between them.
-pub(super) fn numbers(text: &str) -> Option<Vec<f64>> {
+pub(in crate::cli) fn numbers(text: &str) -> Option<Vec<f64>> {
     let number = |word: &str| word.trim().parse().ok().filter(|n: &f64| n.abs() <= 32_000.0);
     text.split(',').map(number).collect()
 }

@@ -5,7 +5,7 @@ use core::convert::Infallible;
 use embedded_graphics_core::{
     Pixel,
     draw_target::DrawTarget,
-    geometry::{OriginDimensions, Size},
+    geometry::{OriginDimensions, Point, Size},
     pixelcolor::{IntoStorage, Rgb565},
     primitives::Rectangle,
 };
@@ -27,9 +27,21 @@ impl Display {
         self.checksum
     }
 
+    /// Out of line, so that its code counts once.
     #[inline(never)]
     const fn take(&mut self, word: u32) {
+        self.take_inline(word);
+    }
+
+    /// The same in line, as a driver takes a pixel.
+    #[inline(always)]
+    pub const fn take_inline(&mut self, word: u32) {
         self.checksum = (self.checksum ^ word).wrapping_mul(0x0100_0193);
+    }
+
+    /// Takes a place.
+    pub const fn take_at(&mut self, place: Point) {
+        self.go_to(place.x, place.y);
     }
 
     const fn go_to(&mut self, x: i32, y: i32) {

@@ -48,12 +48,22 @@ pub fn run<S: Scene>(memory: &mut S::Memory) {
     }
 }
 
-/// Makes one of the [`scenes`] a program. On a microcontroller it has an entry, the buffers, an end
-/// and a panic handler without a message; on the host it prints the checksum.
+/// Makes one of the [`scenes`] a program.
 #[macro_export]
 macro_rules! scene {
     ($scene:ident) => {
-        use $crate::sizes::{self, Scene, scenes::$scene};
+        use $crate::sizes::scenes::$scene;
+
+        $crate::program!($scene);
+    };
+}
+
+/// Makes a [`Scene`] a program. On a microcontroller it has an entry, the buffers, an end and a
+/// panic handler without a message; on the host it prints the checksum.
+#[macro_export]
+macro_rules! program {
+    ($scene:ident) => {
+        use $crate::sizes::{self, Scene};
 
         #[cfg(target_os = "none")]
         #[cortex_m_rt::entry]

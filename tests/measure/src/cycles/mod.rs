@@ -11,8 +11,9 @@ use std::path::PathBuf;
 use anyhow::{Context as _, Result, bail, ensure};
 use clap::Args;
 pub(crate) use report::section;
+pub(crate) use timing::Timing;
 
-use crate::{Done, cores::Core, cycles::timing::Timing, speed};
+use crate::{Done, cores::Core, speed};
 
 const EXAMPLES: &str = "\
 Examples:

@@ -3,7 +3,7 @@
 mod budgets;
 pub(crate) mod image;
 mod report;
-mod stack;
+pub(crate) mod stack;
 mod unwanted;
 
 use std::{collections::BTreeSet, env, fs, path::Path};
@@ -141,6 +141,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     }
     let report = Report::new(&all, &budgets, &compiler);
     Ok(Done { text: report.text(arguments.symbols), is_good: report.faults.is_empty() })
+}
+
+/// The bytes of flash and of stack that a program takes which draws nothing.
+///
+/// # Errors
+///
+/// Returns an error if it cannot be built or run.
+pub(crate) fn runtime(core: Core) -> Result<[u32; 2]> {
+    let folder = firmware::build_scenes(core, &[EMPTY], Level::Three.name())?;
+    let measured = measure(core, Level::Three, EMPTY, &folder.join(EMPTY))?;
+    Ok([Kind::Flash, Kind::Stack].map(|kind| measured.bytes[&kind]))
 }
 
 /// Accepts the cores that the scenes can be built for.

@@ -1,0 +1,154 @@
+//! What a renderer of some types costs: a table that `measure plan --calibrate` measures.
+//!
+//! Flash and stack are those of a program with these types. Cycles are a sum over what a frame has
+//! of pixels, vertices, triangles and so on, each times a weight: the weights are fitted to frames
+//! of bodies that are made for it, by least squares of relative errors, none below 0.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Core, Types, Visibility, seen::Work};
+
+/// The table for all cores.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Costs {
+    /// The compiler that it was measured with.
+    pub compiler: String,
+    /// For each core, by [the name of types](Types), what they cost.
+    pub cores: BTreeMap<String, BTreeMap<String, Cost>>,
+}
+
+/// What one renderer costs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Cost {
+    /// Bytes of code and constants, without the tables of the model.
+    pub flash_bytes: u32,
+    /// Bytes of stack.
+    pub stack_bytes: u32,
+    /// The weights of [`Load`]'s parts, in cycles.
+    pub cycles: [f64; PARTS],
+}
+
+/// How much there is in a frame of what takes time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load(pub [f64; PARTS]);
+
+/// The number of parts.
+const PARTS: usize = 10;
+
+impl Load {
+    /// The parts.
+    pub const PARTS: [&'static str; PARTS] = [
+        "pixels of the display",
+        "bands",
+        "vertices",
+        "triangles",
+        "triangles that are seen",
+        "of these, without a pixel",
+        "bands that meet them",
+        "rows of them",
+        "their pixels",
+        "of these, in front",
+    ];
+
+    /// That of a view on a display of some pixels, in bands of the height with this place in
+    /// [`band_rows`](super::band_rows). What one band takes is a part of the pixels, and it meets
+    /// each triangle once.
+    pub(super) fn of(work: &Work, pixels: u32, bands: u32, place: usize) -> Self {
+        let Work { vertices, triangles, seen, missed, rows, covered, passed, .. } = *work;
+        let met = if bands == 1 { 0 } else { work.met.get(place).copied().unwrap_or(0) };
+        let bands = if bands == 1 { 0 } else { bands };
+        let counts = [
+            pixels.into(),
+            bands.into(),
+            vertices,
+            triangles,
+            seen,
+            missed,
+            met,
+            rows,
+            covered,
+            passed,
+        ];
+        Self(counts.map(|count: u64| count as f64))
+    }
+}
+
+impl Cost {
+    /// The cycles of a frame.
+    #[must_use]
+    pub fn cycles_of(&self, load: &Load) -> f64 {
+        self.cycles.iter().zip(load.0).map(|(weight, count)| weight * count).sum()
+    }
+}
+
+impl Costs {
+    /// The table that was measured.
+    #[must_use]
+    pub fn measured() -> Self {
+        // A test reads it.
+        serde_json::from_str(include_str!("costs.json")).unwrap_or_default()
+    }
+
+    /// What types cost on a core; `None` if that is unknown.
+    ///
+    /// [Measured](Types::all_measured) are the combinations of one shader, and of each other shader
+    /// the simplest renderer with depth and without. What else differs (visibility, bands, vertices
+    /// on demand) costs the others what it costs the former.
+    #[must_use]
+    pub fn of(&self, core: Core, types: &Types) -> Option<Cost> {
+        let costs = self.cores.get(core.name())?;
+        if let Some(&cost) = costs.get(&types.to_string()) {
+            return Some(cost);
+        }
+        // What types cost: that of `of` and what `with` has more than `without`.
+        let [of, without, with] = if types.clips {
+            let model = types.clipped_model();
+            [Types { clips: false, ..*types }, model, Types { clips: true, ..model }]
+        } else if *types == types.shader_model() {
+            let with_u16 = Types { visibility: Visibility::U16, ..*types };
+            [with_u16, with_u16.whole_and_stored(), types.whole_and_stored()]
+        } else {
+            let model = types.shader_model();
+            [types.base(), model.base(), model]
+        };
+        // Each is simpler, and the simplest is measured.
+        let is_simpler = [of, without, with].iter().all(|other| other != types);
+        let cost = |types: &Types| self.of(core, types).filter(|_| is_simpler);
+        Some(cost(&of)?.plus(cost(&without)?, cost(&with)?))
+    }
+}
+
+impl Cost {
+    /// The cost with what `other` has more than `base`.
+    fn plus(self, base: Self, other: Self) -> Self {
+        let add = |own: u32, base: u32, other: u32| (own + other).saturating_sub(base);
+        Self {
+            flash_bytes: add(self.flash_bytes, base.flash_bytes, other.flash_bytes),
+            stack_bytes: add(self.stack_bytes, base.stack_bytes, other.stack_bytes),
+            cycles: std::array::from_fn(|part| {
+                (self.cycles[part] + other.cycles[part] - base.cycles[part]).max(0.0)
+            }),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_types_have_costs_on_all_cores() {
+        let costs = Costs::measured();
+        for (_, core) in Core::NAMES {
+            for types in Types::all() {
+                let cost = costs.of(core, &types);
+                let cost = cost.unwrap_or_else(|| panic!("{types} on {}", core.title()));
+                assert!(cost.flash_bytes > 1_000 && cost.stack_bytes > 100, "{types}: {cost:?}");
+                let clipped = costs.of(core, &Types { clips: true, ..types });
+                assert!(clipped.is_some_and(|clipped| clipped.flash_bytes >= cost.flash_bytes));
+            }
+        }
+    }
+}

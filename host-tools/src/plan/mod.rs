@@ -1,0 +1,109 @@
+//! What a scene needs, and what it can leave out.
+//!
+//! A [`Study`] looks at a model in the views that it will be seen from. It finds out which ways to
+//! decide visibility show the right surfaces, whether perspective can be seen in textures, whether
+//! light of triangles is enough, and whether anything is ever clipped. [`Study::plan`] then takes,
+//! of all renderers that are right, the one with the least time that fits the memory, by the costs
+//! that were [measured](Costs); and [`Plan::source`] is the Rust file of it.
+//!
+//! What is decided holds for the views of the [`Request`]. Some of it is proven for all views at
+//! that distance, some of it in each view of a turntable or a list, and some in a random sample:
+//! each [`Decision`] says which.
+
+mod choose;
+mod convex;
+mod costs;
+mod decide;
+mod predict;
+mod request;
+mod seen;
+mod source;
+mod study;
+#[cfg(test)]
+mod tests;
+mod texels;
+mod types;
+mod views;
+
+use rasterizer::{camera::CameraError, output::FrameError, scene::ProjectError};
+
+pub use choose::Plan;
+pub use convex::{Shape, shape};
+pub use costs::{Cost, Costs, Load};
+pub use decide::{Decision, Other};
+pub use predict::{Candidate, Fault, Predicted};
+pub use request::{Core, Request};
+pub use seen::Work;
+pub use study::{Study, Worst};
+pub use types::{Correction, Paint, Texels, Types, Vertices, Visibility};
+pub use views::{View, Views};
+
+use crate::model::ModelError;
+
+/// Why there is no plan.
+#[derive(Debug, thiserror::Error)]
+pub enum PlanError {
+    /// The model cannot be converted.
+    #[error(transparent)]
+    Model(#[from] ModelError),
+    /// The model has no faces.
+    #[error("{0} has no faces to plan for: lines and points alone need no depth and no light")]
+    NoFaces(String),
+    /// The camera is inside the sphere around the model.
+    #[error(
+        "the camera is {distance} from the origin, within the sphere of radius {radius:.3} around \
+         the model: choose a larger distance"
+    )]
+    Inside {
+        /// The camera's distance.
+        distance: f64,
+        /// The sphere's radius.
+        radius: f64,
+    },
+    /// A number is outside what the core has for it.
+    #[error("{what} is {value}, but must lie from {least} to {most}")]
+    OutOfRange {
+        /// What the number is for.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// The least that is allowed.
+        least: f64,
+        /// The most that is allowed.
+        most: f64,
+    },
+    /// The camera's numbers contradict each other.
+    #[error(transparent)]
+    Camera(#[from] CameraError),
+    /// The core refuses the model in a view.
+    #[error(transparent)]
+    Project(#[from] ProjectError),
+    /// A picture cannot have that size.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    /// No renderer fits.
+    #[error(
+        "no renderer fits {ram} bytes of RAM{}: the smallest takes {least_ram} bytes of RAM and \
+         {least_flash} of flash",
+        flash.map_or(String::new(), |flash| format!(" and {flash} bytes of flash"))
+    )]
+    TooLarge {
+        /// The RAM that there is.
+        ram: u32,
+        /// The flash that there is.
+        flash: Option<u32>,
+        /// The RAM of the renderer with the least.
+        least_ram: u32,
+        /// The flash of the renderer with the least.
+        least_flash: u32,
+    },
+}
+
+/// The heights of bands that are considered for a display of this height, the largest first: those
+/// that divide it into more and more bands, down to four rows.
+#[must_use]
+pub fn band_rows(height: u32) -> Vec<u32> {
+    let mut rows: Vec<u32> = (1..=height.div_ceil(4)).map(|bands| height.div_ceil(bands)).collect();
+    rows.dedup();
+    rows
+}

@@ -1,0 +1,227 @@
+//! What renderers are expected to take.
+
+use super::{
+    Correction, Costs, Paint, PlanError, Study, Types, Vertices, Visibility, band_rows,
+    decide::Other,
+};
+use crate::model::{Model, TextureTable};
+
+/// A renderer, and the rows that it draws at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
+pub struct Candidate {
+    /// Its types.
+    pub types: Types,
+    /// The rows of a band; all of the display if there is one.
+    pub rows: u32,
+}
+
+/// What a renderer is expected to take.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct Predicted {
+    /// Bytes of code and constants.
+    pub code_bytes: u32,
+    /// Bytes of the model's tables.
+    pub table_bytes: u32,
+    /// Bytes of buffers.
+    pub buffer_bytes: u32,
+    /// Bytes of stack.
+    pub stack_bytes: u32,
+    /// Cycles of a frame: the mean of the views.
+    pub cycles: f64,
+    /// Cycles of the view that takes most.
+    pub most_cycles: f64,
+    /// Seconds from the first cycle of a frame to its last bit on the bus: the mean of the views.
+    pub seconds: f64,
+}
+
+impl Predicted {
+    /// Bytes of flash.
+    #[must_use]
+    pub const fn flash_bytes(&self) -> u32 {
+        self.code_bytes + self.table_bytes
+    }
+
+    /// Bytes of RAM.
+    #[must_use]
+    pub const fn ram_bytes(&self) -> u32 {
+        self.buffer_bytes + self.stack_bytes
+    }
+}
+
+/// Why a renderer is not taken.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Fault {
+    /// It shows wrong pixels.
+    Wrong,
+    /// It takes more RAM than there is.
+    Ram,
+    /// It takes more flash than there is.
+    Flash,
+    /// It takes more time.
+    Time,
+}
+
+/// Predicts what renderers take.
+pub(super) struct Estimator<'a> {
+    study: &'a Study,
+    costs: &'a Costs,
+    /// The model for each kind of tables.
+    models: Vec<(bool, Paint, Model)>,
+}
+
+impl<'a> Estimator<'a> {
+    pub(super) fn new(study: &'a Study, costs: &'a Costs) -> Result<Self, PlanError> {
+        let mut models = Vec::new();
+        let mut paints = study.paints();
+        // For everything on.
+        paints.extend(paints.clone().iter().filter_map(|paint| match paint {
+            Paint::Textures(Correction::Affine, texels) => {
+                Some(Paint::Textures(Correction::Adaptive, *texels))
+            }
+            Paint::Textures(Correction::Adaptive, texels) => {
+                Some(Paint::Textures(Correction::Affine, *texels))
+            }
+            _ => None,
+        }));
+        paints.sort_unstable();
+        paints.dedup();
+        for paint in paints {
+            for is_smooth in [false, true] {
+                let types = Types { is_smooth, paint, ..EVERYTHING };
+                models.push((is_smooth, paint, study.model(&types)?));
+            }
+        }
+        Ok(Self { study, costs, models })
+    }
+
+    /// The model with the tables of types.
+    pub(super) fn model(&self, types: &Types) -> &Model {
+        let is_of = |(is_smooth, paint, _): &&(bool, Paint, Model)| {
+            (*is_smooth, *paint) == (types.is_smooth, types.paint)
+        };
+        let found = self.models.iter().find(is_of).or(self.models.first());
+        &found.expect("a study has a model").2
+    }
+
+    /// What a renderer is expected to take; `None` if nothing is known about its types.
+    pub(super) fn predict(&self, candidate: &Candidate) -> Option<Predicted> {
+        let Candidate { types, rows } = candidate;
+        let (request, model) = (&self.study.request, self.model(types));
+        let cost = self.costs.of(request.core, types)?;
+        let loads = self.study.loads(model, *rows);
+        let cycles: Vec<f64> = loads.iter().map(|load| cost.cycles_of(load)).collect();
+        let mean = cycles.iter().sum::<f64>() / cycles.len().max(1) as f64;
+        let [width, height] = request.display;
+        let bits = f64::from(16 * width * height);
+        Some(Predicted {
+            code_bytes: cost.flash_bytes,
+            table_bytes: model.report.flash.total() as u32,
+            buffer_bytes: buffer_bytes(model, types, request.display, *rows),
+            stack_bytes: cost.stack_bytes,
+            cycles: mean,
+            most_cycles: cycles.iter().copied().fold(0.0, f64::max),
+            seconds: mean / request.clock_hz + request.bus_hz.map_or(0.0, |bus| bits / bus),
+        })
+    }
+
+    /// All renderers that costs are known of, and why they cannot be taken.
+    pub(super) fn all(&self) -> Vec<(Candidate, Predicted, Option<Fault>)> {
+        let (study, mut all) = (self.study, Vec::new());
+        let is_smooth = study.request.is_smooth.unwrap_or(!study.is_flat());
+        let is_smooth = is_smooth || study.paints().contains(&Paint::Vertices);
+        for paint in study.paints() {
+            for visibility in Visibility::ALL {
+                for vertices in [Vertices::Stored, Vertices::OnDemand] {
+                    for rows in band_rows(study.request.display[1]) {
+                        let in_bands = rows < study.request.display[1];
+                        let clips = study.clips;
+                        let types =
+                            Types { is_smooth, paint, visibility, in_bands, vertices, clips };
+                        let candidate = Candidate { types, rows };
+                        let Some(predicted) = self.predict(&candidate) else { continue };
+                        all.push((candidate, predicted, self.fault(&candidate, &predicted)));
+                    }
+                }
+            }
+        }
+        all
+    }
+
+    fn fault(&self, candidate: &Candidate, predicted: &Predicted) -> Option<Fault> {
+        let request = &self.study.request;
+        if !self.study.is_right(candidate.types.visibility) {
+            Some(Fault::Wrong)
+        } else if predicted.ram_bytes() > request.ram_bytes {
+            Some(Fault::Ram)
+        } else if request.flash_bytes.is_some_and(|flash| predicted.flash_bytes() > flash) {
+            Some(Fault::Flash)
+        } else {
+            None
+        }
+    }
+
+    /// The renderer with everything on, in the largest bands that fit, or the smallest.
+    pub(super) fn everything(&self) -> (Candidate, Predicted) {
+        let (request, paints) = (&self.study.request, self.study.paints());
+        let paint = paints.first().map_or(Paint::Materials, |paint| match paint {
+            Paint::Textures(_, texels) => Paint::Textures(Correction::Adaptive, *texels),
+            other => *other,
+        });
+        let height = request.display[1];
+        let all = band_rows(height).into_iter().filter_map(|rows| {
+            let types = Types { paint, in_bands: rows < height, ..EVERYTHING };
+            let candidate = Candidate { types, rows };
+            Some((candidate, self.predict(&candidate)?))
+        });
+        let all: Vec<_> = all.collect();
+        let fits = |(_, predicted): &&(_, Predicted)| predicted.ram_bytes() <= request.ram_bytes;
+        let found = all.iter().find(fits).or(all.last());
+        *found.expect("all types have costs")
+    }
+
+    /// What other types cost more than the chosen ones.
+    pub(super) fn other(
+        &self,
+        choice: &str,
+        chosen: Candidate,
+        types: Types,
+        rows: u32,
+    ) -> Option<Other> {
+        let (own, other) = (self.predict(&chosen)?, self.predict(&Candidate { types, rows })?);
+        Some(Other {
+            choice: choice.into(),
+            flash_bytes: i64::from(other.flash_bytes()) - i64::from(own.flash_bytes()),
+            ram_bytes: i64::from(other.ram_bytes()) - i64::from(own.ram_bytes()),
+            cycles: other.cycles - own.cycles,
+        })
+    }
+}
+
+/// What a renderer without a plan has.
+const EVERYTHING: Types = Types {
+    is_smooth: true,
+    paint: Paint::Materials,
+    visibility: Visibility::U32,
+    in_bands: false,
+    vertices: Vertices::Stored,
+    clips: true,
+};
+
+/// The bytes of the buffers that the Rust file has.
+const fn buffer_bytes(model: &Model, types: &Types, display: [u32; 2], rows: u32) -> u32 {
+    let [width, height] = display;
+    let wide = matches!(model.texture_coordinates, TextureTable::I32(_));
+    let triangles = model.report.triangles;
+    let pixels = width * rows * (2 + types.visibility.depth_bytes());
+    let vertices = match types.vertices {
+        Vertices::Stored => types.vertex_bytes(wide) * model.positions.len() as u32,
+        Vertices::OnDemand => 0,
+    };
+    let words = match types.visibility {
+        Visibility::Sorted => triangles,
+        _ if types.in_bands => rasterizer::scene::bin_words(triangles, height, rows),
+        _ => 0,
+    };
+    pixels + vertices + 4 * words as u32
+}

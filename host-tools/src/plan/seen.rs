@@ -1,0 +1,247 @@
+//! What is seen in a view by each way to decide it, and the work that it takes: all by the core.
+
+use std::{
+    cell::{Cell, RefCell},
+    convert::Infallible,
+};
+
+use embedded_graphics_core::{
+    geometry::{Point, Size},
+    primitives::Rectangle,
+};
+use rasterizer::{
+    attribute::{FloatDepth, NoDepth},
+    camera::{Camera, Perspective},
+    fixed::types::U16F16,
+    geometry::{Pose, ScreenVertex},
+    mesh::{Mesh, MeshFace, MeshMaterial, MeshVertex},
+    numbers::{Rotation, S4, S8, Scalar, Subpixel, Vec3},
+    output::{Frame, PixelFill, StoredColor, StoredDepth, Target},
+    raster::{Fragment, FragmentOf, Gradients, Layout, Primitive, Window},
+    scene::Object,
+    shade::{Face, Outcome, Shader},
+};
+
+use super::{PlanError, Visibility, band_rows, views::Placed};
+
+/// The number of the face that a pixel shows, from 1; 0 for none.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct FaceNumber(u32);
+
+impl StoredColor for FaceNumber {
+    type Fill = PixelFill<Self>;
+}
+
+/// The shader whose colour is the number of the face.
+#[derive(Clone, Copy, Debug)]
+struct Numbered;
+
+impl Shader for Numbered {
+    type Color = FaceNumber;
+    type Varyings = [u16; 0];
+    type Surface = ();
+    type Face = ();
+    type Outcome = FaceNumber;
+
+    fn surface(&self, _: &MeshMaterial<'_>) {}
+
+    fn vertex(&self, _: &MeshVertex<'_>) -> [u16; 0] {
+        []
+    }
+
+    fn face(
+        &self,
+        (): &(),
+        face: &MeshFace<'_>,
+        _: &Gradients<'_, [u16; 0]>,
+    ) -> Face<FaceNumber, ()> {
+        Face::Solid(FaceNumber(face.index() as u32 + 1))
+    }
+
+    fn pixel(&self, (): &(), (): &(), _: Fragment<[U16F16; 0]>) -> FaceNumber {
+        FaceNumber::default()
+    }
+}
+
+/// What costs of a view depend on.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Vertices of the mesh.
+    pub vertices: u64,
+    /// Triangles of the mesh.
+    pub triangles: u64,
+    /// Triangles that face the camera, and may cover a pixel.
+    pub seen: u64,
+    /// Those of them that cover none.
+    pub missed: u64,
+    /// Rows of all of them.
+    pub rows: u64,
+    /// Pixels of all of them.
+    pub covered: u64,
+    /// Pixels of them that a depth test passes, in the order of the mesh.
+    pub passed: u64,
+    /// For each of [`band_rows`], how often bands meet a triangle that is seen.
+    pub met: Vec<u64>,
+}
+
+/// A view by all ways.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    pub(super) work: Work,
+    /// The faces of the pixels, by 32 bits of depth: their numbers from 1, or 0.
+    pub(super) faces: Vec<u32>,
+    /// The pixels that show a face.
+    pub(super) shown: usize,
+    /// For each of [`Visibility::ALL`] the pixels that show another one.
+    pub(super) wrong: [usize; Visibility::ALL.len()],
+}
+
+/// What sees a model.
+pub(super) struct Eye<'a> {
+    pub(super) mesh: &'a Mesh<'a>,
+    pub(super) lens: Perspective,
+    pub(super) size: [u32; 2],
+}
+
+impl Eye<'_> {
+    /// Looks at the model in a view, in the precision of a core.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the core refuses the view.
+    pub(super) fn look<S: Subpixel>(&self, view: &Placed) -> Result<Seen, PlanError> {
+        let counts = Counts { bands: band_rows(self.size[1]), ..Counts::default() };
+        let faces = self.faces::<S, u32>(view, None)?;
+        let shown = faces.iter().filter(|&&FaceNumber(face)| face > 0).count();
+        let mut wrong = [0; Visibility::ALL.len()];
+        for (wrong, visibility) in wrong.iter_mut().zip(Visibility::ALL) {
+            let other = match visibility {
+                Visibility::MeshOrder => self.unordered::<S>(view)?,
+                Visibility::Sorted => self.sorted::<S>(view)?,
+                Visibility::U16 => self.faces::<S, u16>(view, Some(&counts))?,
+                Visibility::Float16 => self.faces::<S, FloatDepth>(view, None)?,
+                Visibility::U32 => continue,
+            };
+            *wrong = other.iter().zip(&faces).filter(|(a, b)| a != b).count();
+        }
+        let mut work = counts.work.into_inner();
+        work.vertices = self.mesh.vertex_count() as u64;
+        work.triangles = self.mesh.triangle_count() as u64;
+        work.passed = counts.passed.get();
+        let faces = faces.into_iter().map(|FaceNumber(face)| face).collect();
+        Ok(Seen { work, faces, shown, wrong })
+    }
+
+    const fn area(&self) -> Rectangle {
+        Rectangle::new(Point::zero(), Size::new(self.size[0], self.size[1]))
+    }
+
+    fn camera(&self, view: &Placed) -> Result<Camera<Perspective>, PlanError> {
+        let eye = Vec3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(view.distance));
+        Ok(Camera::at(eye, Rotation::IDENTITY, self.lens, self.area())?)
+    }
+
+    fn object(&self, view: &Placed) -> Object<'_, Numbered> {
+        Object::new(self.mesh, Numbered).posed(Pose::rotated(view.rotation))
+    }
+
+    /// The faces by a depth buffer; counts them, if there is something to count in.
+    fn faces<S: Subpixel, D: StoredDepth>(
+        &self,
+        view: &Placed,
+        counts: Option<&Counts>,
+    ) -> Result<Vec<FaceNumber>, PlanError> {
+        let (mut color, mut depth) = (self.pixels(FaceNumber(0)), self.pixels(D::ZERO));
+        let mut vertices = vec![ScreenVertex::<S, D, _>::EMPTY; self.mesh.vertex_count()];
+        let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
+        let mut frame = Frame::new(&mut color, &mut depth, self.area())?;
+        let Ok(()) = match counts {
+            Some(counts) => seen.draw(&mut Counted { target: frame, counts }),
+            None => seen.draw(&mut frame),
+        };
+        Ok(color)
+    }
+
+    /// The faces in the order of the mesh, the last on top.
+    fn unordered<S: Subpixel>(&self, view: &Placed) -> Result<Vec<FaceNumber>, PlanError> {
+        let mut color = self.pixels(FaceNumber(0));
+        let mut vertices = vec![ScreenVertex::<S, NoDepth, _>::EMPTY; self.mesh.vertex_count()];
+        let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
+        let Ok(()) = seen.draw(&mut Frame::without_depth(&mut color, self.area())?);
+        Ok(color)
+    }
+
+    /// The faces from back to front.
+    fn sorted<S: Subpixel>(&self, view: &Placed) -> Result<Vec<FaceNumber>, PlanError> {
+        let mut color = self.pixels(FaceNumber(0));
+        let mut vertices = vec![ScreenVertex::<S, NoDepth, _>::EMPTY; self.mesh.vertex_count()];
+        let mut order = vec![0; self.mesh.triangle_count()];
+        let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
+        let seen = seen.back_to_front(&mut order)?;
+        let Ok(()) = seen.draw(&mut Frame::without_depth(&mut color, self.area())?);
+        Ok(color)
+    }
+
+    fn pixels<T: Clone>(&self, value: T) -> Vec<T> {
+        vec![value; self.size[0] as usize * self.size[1] as usize]
+    }
+}
+
+/// The precisions of vertices, so that one is chosen at run time.
+pub(super) fn look(eye: &Eye<'_>, subpixel: &str, view: &Placed) -> Result<Seen, PlanError> {
+    if subpixel == "S4" { eye.look::<S4>(view) } else { eye.look::<S8>(view) }
+}
+
+/// What is counted while a view is drawn.
+#[derive(Default)]
+struct Counts {
+    bands: Vec<u32>,
+    work: RefCell<Work>,
+    passed: Cell<u64>,
+}
+
+/// A target that counts what it is given.
+struct Counted<'c, T> {
+    target: T,
+    counts: &'c Counts,
+}
+
+impl<T: Target<Error = Infallible>> Target for Counted<'_, T> {
+    type Color = T::Color;
+    type Depth = T::Depth;
+    type Error = Infallible;
+
+    fn window(&self) -> Window {
+        self.target.window()
+    }
+
+    fn shade<Q: Primitive<Depth = T::Depth>, O: Outcome<T::Color>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        pixel: impl Fn(FragmentOf<Q>) -> O + Copy,
+    ) -> Result<(), Infallible> {
+        let passed = &self.counts.passed;
+        self.target.shade(primitive, window, |fragment| {
+            passed.set(passed.get() + 1);
+            pixel(fragment)
+        })?;
+        let mut work = self.counts.work.borrow_mut();
+        let mut rows: Option<[i32; 2]> = None;
+        let layout = Layout { pitch: 0, origin: 0 };
+        primitive.for_each_span(window, layout, |span| {
+            work.rows += 1;
+            work.covered += (span.end - span.start) as u64;
+            rows = Some([rows.map_or(span.row, |[first, _]| first), span.row]);
+            Ok::<(), Infallible>(())
+        })?;
+        work.seen += 1;
+        work.missed += u64::from(rows.is_none());
+        work.met.resize(self.counts.bands.len(), 0);
+        for (met, &height) in work.met.iter_mut().zip(&self.counts.bands) {
+            let [first, last] = rows.map_or([0; 2], |rows| rows.map(|row| row as u32 / height));
+            *met += u64::from(last - first + 1);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,345 @@
+//! The planned renderer as a Rust source file.
+
+use std::fmt::Write as _;
+
+use super::{
+    Correction, Decision, Paint, Request, Study, Types, Vertices, Views, Visibility, views::turn,
+};
+use crate::model::{Model, TextureTable, emit};
+
+/// The file: the tables of the model, the types, the memory, and a function that draws.
+pub(super) fn source(study: &Study, model: &Model, types: &Types, rows: u32) -> String {
+    let mut out = emit::source(model);
+    let _ = write!(out, "{}{}{}", head(study, model, types, rows), memory(model, types), ERROR);
+    out + &draw(study, model, types)
+}
+
+/// The file with its decisions as comments behind the first line.
+pub(super) fn with_decisions(source: &str, decisions: &[Decision], request: &Request) -> String {
+    let ([width, height], core) = (request.display, request.core.title());
+    let mut lines = format!(
+        "//\n// The renderer below draws it on {width} x {height} pixels, planned for a {core} with {} \
+         bytes of\n// RAM: {}.\n//\n",
+        request.ram_bytes,
+        request.views.basis()
+    );
+    for Decision { about, choice, .. } in decisions {
+        let _ = writeln!(lines, "// {:<12} {choice}", format!("{about}:"));
+    }
+    let (first, rest) = source.split_once('\n').unwrap_or((source, ""));
+    format!("{first}\n{lines}{rest}")
+}
+
+/// The texture type of a model, or nothing.
+fn texture_type(model: &Model) -> String {
+    let Some(textures) = &model.textures else { return String::new() };
+    let name = emit::texture_type(&model.name);
+    if textures.by_material.iter().all(Option::is_some) { name } else { format!("Option<{name}>") }
+}
+
+const fn has_wide_coordinates(model: &Model) -> bool {
+    matches!(model.texture_coordinates, TextureTable::I32(_))
+}
+
+/// Constants and types.
+fn head(study: &Study, model: &Model, types: &Types, rows: u32) -> String {
+    let request = &study.request;
+    let ([width, height], (toward, [ambient, diffuse])) = (request.display, request.light);
+    let [x, y, z] = toward;
+    let [near, far] = study.depth_range;
+    let [red, green, blue] = request.background;
+    let (red, green, blue) = (red >> 3, green >> 2, blue >> 3);
+    let shading = types.shader(&texture_type(model), has_wide_coordinates(model));
+    let subpixel = request.core.subpixel();
+    let depth = types.visibility.depth();
+    let shader = match types.paint {
+        Paint::Textures(correction, _) => {
+            let wide = if has_wide_coordinates(model) { ".with_wide_coordinates()" } else { "" };
+            let correction = match correction {
+                Correction::Affine => ".corrected(Affine)",
+                Correction::Adaptive => "",
+            };
+            let name = if types.is_smooth { "TexturedGouraud" } else { "TexturedFlat" };
+            format!("{name}::new(&{}_TEXTURES, LIGHT){correction}{wide}", model.name)
+        }
+        _ => "Shading::new(LIGHT)".into(),
+    };
+    let attributes = if depth == "u16" || depth == "u32" {
+        String::new()
+    } else {
+        format!("attribute::{depth},\n    ")
+    };
+    let affine = if matches!(types.paint, Paint::Textures(Correction::Affine, _)) {
+        "attribute::Affine,\n    "
+    } else {
+        ""
+    };
+    let name = shading.split('<').next().unwrap_or_default();
+    let bins = if has_bins(types) { ", bin_words" } else { "" };
+    let nearest = if model.textures.is_some() { "    texture::Nearest,\n" } else { "" };
+    let adaptive = if matches!(types.paint, Paint::Textures(Correction::Adaptive, _)) {
+        "attribute::Adaptive,\n    "
+    } else {
+        ""
+    };
+    let (vertex, vertices) = if types.vertices == Vertices::Stored {
+        (
+            "\n/// A vertex on the screen.\ntype Vertex = ScreenVertex<Precision, Depth, OnScreen<Shading>>;\n",
+            ", ScreenVertex",
+        )
+    } else {
+        ("", "")
+    };
+    let on_screen = if types.vertices == Vertices::Stored { "OnScreen, " } else { "" };
+    let clip = if types.clips { "ClipAll" } else { "ClipNone" };
+    let depth_name = if types.visibility.depth_bytes() > 0 || types.vertices == Vertices::Stored {
+        format!("\n/// How depth is kept.\ntype Depth = {depth};\n")
+    } else {
+        String::new()
+    };
+    format!(
+        "
+use ::rasterizer::{{
+    {attributes}{affine}{adaptive}camera::{{Camera, CameraError, Distance, Perspective}},
+    embedded_graphics_core::{{
+        draw_target::DrawTarget,
+        geometry::{{Point, Size}},
+        pixelcolor::{{Rgb565, RgbColor}},
+        primitives::Rectangle,
+    }},
+    geometry::{{{clip}, Pose{vertices}}},
+    numbers::{{Rotation, Scalar, {subpixel} as Precision, Turn, Vec3}},
+    output::{{Bands, FrameError}},
+    scene::{{Object, ProjectError{bins}}},
+    shade::{{{name}, Level, Light, {on_screen}}},
+{nearest}}};
+
+/// The display's pixels.
+pub const SCREEN: Rectangle = Rectangle::new(Point::new(0, 0), Size::new({width}, {height}));
+
+/// The rows that are drawn at a time.
+const ROWS: u32 = {rows};
+
+/// The pixels of these.
+const PIXELS: usize = ({width} * ROWS) as usize;
+
+/// What is behind the model.
+const BACKGROUND: Rgb565 = Rgb565::new({red}, {green}, {blue});
+
+/// What lights it.
+const LIGHT: Light = Light::new(
+    Vec3::lit(\"{x}\", \"{y}\", \"{z}\"),
+    Level::lit(\"{ambient}\"),
+    Level::lit(\"{diffuse}\"),
+);
+
+/// A vertical field of view of {fov} degrees. The depth range holds the model from all sides.
+const LENS: Perspective = match Perspective::new(
+    Turn::from_bits({turn:#x}),
+    Distance::lit(\"{near}\"),
+    Distance::lit(\"{far}\"),
+) {{
+    Ok(lens) => lens,
+    Err(_) => panic!(\"the lens makes no sense\"),
+}};
+
+/// How it is coloured.
+type Shading = {shading};
+{depth_name}{vertex}
+/// The shader.
+const SHADER: Shading = {shader};
+",
+        fov = request.field_of_view_degrees,
+        turn = turn(request.field_of_view_degrees).to_bits(),
+    )
+}
+
+/// Whether bands have lists of their triangles.
+const fn has_bins(types: &Types) -> bool {
+    types.in_bands && !matches!(types.visibility, Visibility::Sorted)
+}
+
+/// The memory.
+fn memory(model: &Model, types: &Types) -> String {
+    let name = &model.name;
+    let mut fields = vec![("color: [Rgb565; PIXELS]", "color: [Rgb565::BLACK; PIXELS]")];
+    if types.visibility.depth_bytes() > 0 {
+        fields.push((
+            "depth: [Depth; PIXELS]",
+            DEPTH_ZERO[usize::from(types.visibility == Visibility::Float16)],
+        ));
+    }
+    if types.vertices == Vertices::Stored {
+        fields.push(("vertices: [Vertex; VERTICES]", "vertices: [Vertex::EMPTY; VERTICES]"));
+    }
+    if has_bins(types) {
+        fields.push(("bins: [u32; BINS]", "bins: [0; BINS]"));
+    }
+    if types.visibility == Visibility::Sorted {
+        fields.push(("order: [u32; TRIANGLES]", "order: [0; TRIANGLES]"));
+    }
+    let list = |part: fn(&(&str, &str)) -> String| -> String {
+        fields.iter().map(part).map(|field| format!("    {field},\n")).collect()
+    };
+    let (declared, empty) = (list(|field| field.0.into()), list(|field| field.1.into()));
+    let mut constants = String::new();
+    if types.vertices == Vertices::Stored {
+        let _ = writeln!(constants, "const VERTICES: usize = {name}.vertex_count();");
+    }
+    if has_bins(types) {
+        let _ = writeln!(
+            constants,
+            "const BINS: usize = bin_words({name}.triangle_count(), SCREEN.size.height, ROWS);"
+        );
+    }
+    if types.visibility == Visibility::Sorted {
+        let _ = writeln!(constants, "const TRIANGLES: usize = {name}.triangle_count();");
+    }
+    format!(
+        "
+{constants}
+/// The memory of a picture, for a static. All its bits are 0 at first: it takes no flash.
+#[derive(Debug)]
+pub struct Memory {{
+{declared}}}
+
+impl Memory {{
+    /// The initial memory.
+    pub const EMPTY: Self = Self {{
+{empty}    }};
+}}
+"
+    )
+}
+
+const DEPTH_ZERO: [&str; 2] = ["depth: [0; PIXELS]", "depth: [FloatDepth::FAR; PIXELS]"];
+
+const ERROR: &str = "
+/// Why a picture is not drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Error<E> {
+    /// The display's error.
+    Display(E),
+    /// The camera's numbers are out of range.
+    Camera(CameraError),
+    /// The model is out of range.
+    Project(ProjectError),
+    /// A buffer is too small.
+    Frame(FrameError),
+}
+
+impl<E> From<CameraError> for Error<E> {
+    fn from(error: CameraError) -> Self {
+        Self::Camera(error)
+    }
+}
+
+impl<E> From<ProjectError> for Error<E> {
+    fn from(error: ProjectError) -> Self {
+        Self::Project(error)
+    }
+}
+
+impl<E> From<FrameError> for Error<E> {
+    fn from(error: FrameError) -> Self {
+        Self::Frame(error)
+    }
+}
+";
+
+/// The function that draws, and the views that it knows.
+fn draw(study: &Study, model: &Model, types: &Types) -> String {
+    let (views, argument, rotation, distance) = views(study);
+    let name = &model.name;
+    let clip = if types.clips { "ClipAll" } else { "ClipNone" };
+    let project = match types.vertices {
+        Vertices::Stored => "project(&camera, &mut memory.vertices)?",
+        Vertices::OnDemand => "project_on_demand(&camera, Precision)?",
+    };
+    let order = match types.visibility {
+        Visibility::Sorted => "\n    let seen = seen.back_to_front(&mut memory.order)?;",
+        _ if types.in_bands => "\n    let seen = seen.binned(ROWS, &mut memory.bins)?;",
+        _ => "",
+    };
+    let bands = if types.visibility.depth_bytes() > 0 {
+        "Bands::new(SCREEN, &mut memory.color[..], &mut memory.depth[..])?"
+    } else {
+        "Bands::without_depth(SCREEN, &mut memory.color[..])?"
+    };
+    format!(
+        "{views}
+/// Draws the model and shows it.
+///
+/// # Errors
+///
+/// Returns the display's error. The others cannot occur in the views that this file is planned for.
+pub fn draw<D: DrawTarget<Color = Rgb565>>(
+    display: &mut D,
+    memory: &mut Memory,
+    {argument},
+) -> Result<(), Error<D::Error>> {{{rotation}
+    let eye = Vec3::new(Scalar::ZERO, Scalar::ZERO, {distance});
+    let camera = Camera::at(eye, Rotation::IDENTITY, LENS, SCREEN)?;
+    let object = Object::new(&{name}, SHADER).posed(Pose::rotated(rotation)).clipped({clip});
+    let seen = object.{project};{order}
+    {bands}
+        .show(display, |band| band.clear_color(BACKGROUND), |band| seen.draw(band))
+        .map_err(Error::Display)
+}}
+"
+    )
+}
+
+/// The views, the argument of `draw` that chooses one, and the statements that
+/// compute its rotation, and its distance.
+fn views(study: &Study) -> (String, &'static str, String, String) {
+    let distance = format!("const {{ Scalar::lit(\"{}\") }}", study.request.distance);
+    match &study.request.views {
+        Views::Turntable { steps, pitch_degrees } => {
+            let tilt = turn(*pitch_degrees).to_bits();
+            (
+                format!(
+                    "
+/// The steps of a whole turn: it was planned for each of them.
+pub const STEPS: u32 = {steps};
+"
+                ),
+                "step: u32",
+                format!(
+                    "
+    let angle = Turn::from_bits(step.wrapping_shl({}));
+    let rotation = Rotation::about_x(Turn::from_bits({tilt:#x})) * Rotation::about_y(angle);",
+                    32 - steps.ilog2()
+                ),
+                distance,
+            )
+        }
+        Views::Orbit { .. } => (String::new(), "rotation: Rotation", String::new(), distance),
+        Views::List(views) => {
+            let mut text = format!(
+                "
+/// The views that it was planned for: turns about y, x and z, and the camera's distance.
+const VIEWS: [([u32; 3], Scalar); {}] = [
+",
+                views.len()
+            );
+            for view in views {
+                let [y, x, z] = view.turns_degrees.map(|degrees| turn(degrees).to_bits());
+                let distance = view.distance.unwrap_or(study.request.distance);
+                let _ =
+                    writeln!(text, "    ([{y:#x}, {x:#x}, {z:#x}], Scalar::lit(\"{distance}\")),");
+            }
+            text += "];\n\n/// How many they are.\npub const VIEW_COUNT: usize = VIEWS.len();\n";
+            (
+                text,
+                "view: usize",
+                "
+    let (turns, distance) = VIEWS[view.min(VIEW_COUNT - 1)];
+    let [y, x, z] = turns.map(Turn::from_bits);
+    let rotation = Rotation::about_z(z) * Rotation::about_x(x) * Rotation::about_y(y);"
+                    .into(),
+                "distance".into(),
+            )
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! The views that a model is looked at in.
+
+use rasterizer::numbers::{Rotation, Turn};
+
+/// Where a model is seen from: it turns, and the camera stands still.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Views {
+    /// It turns about its y axis, and is tilted after that.
+    Turntable {
+        /// Into how many steps a turn is divided: a power of two from 2 to 65,536.
+        steps: u32,
+        /// The tilt about the x axis, in degrees.
+        pitch_degrees: f64,
+    },
+    /// From anywhere: these many random views.
+    Orbit {
+        /// How many.
+        count: u32,
+    },
+    /// From these places alone.
+    List(Vec<View>),
+}
+
+/// A view of a list.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// Turns about y, x and z in degrees, in this order.
+    pub turns_degrees: [f64; 3],
+    /// The camera's distance from the origin; `None` for that of the request.
+    pub distance: Option<f64>,
+}
+
+impl Default for Views {
+    /// 512 steps, seen from 20 degrees above.
+    fn default() -> Self {
+        Self::Turntable { steps: 512, pitch_degrees: 20.0 }
+    }
+}
+
+/// A view as the core has it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Placed {
+    pub(super) rotation: Rotation,
+    pub(super) distance: f64,
+}
+
+impl Placed {
+    /// A point of the model in the space of the camera: right, up, and the distance along its axis.
+    pub(super) fn see(&self, point: [f64; 3]) -> [f64; 3] {
+        let rows = self.rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
+        let [x, y, z] = rows.map(|row| (0..3).map(|i| row[i] * point[i]).sum::<f64>());
+        [x, y, self.distance - z]
+    }
+}
+
+impl Views {
+    /// All of them.
+    pub(super) fn placed(&self, distance: f64) -> Vec<Placed> {
+        match self {
+            &Self::Turntable { steps, pitch_degrees } => {
+                let tilt = Rotation::about_x(turn(pitch_degrees));
+                let step = |step: u32| {
+                    tilt * Rotation::about_y(Turn::from_bits(step << (32 - steps.ilog2())))
+                };
+                (0..steps).map(|s| Placed { rotation: step(s), distance }).collect()
+            }
+            &Self::Orbit { count } => {
+                let mut random = Random(0x2545_F491_4F6C_DD1D);
+                (0..count).map(|_| Placed { rotation: random.rotation(), distance }).collect()
+            }
+            Self::List(views) => {
+                let place = |view: &View| Placed {
+                    rotation: view.rotation(),
+                    distance: view.distance.unwrap_or(distance),
+                };
+                views.iter().map(place).collect()
+            }
+        }
+    }
+
+    /// How many they are.
+    #[must_use]
+    pub const fn count(&self) -> u32 {
+        match self {
+            &Self::Turntable { steps, .. } => steps,
+            &Self::Orbit { count } => count,
+            Self::List(views) => views.len() as u32,
+        }
+    }
+
+    /// Whether no other views are possible.
+    #[must_use]
+    pub const fn are_all(&self) -> bool {
+        !matches!(self, Self::Orbit { .. })
+    }
+
+    /// What is known if something holds in each of them.
+    #[must_use]
+    pub fn basis(&self) -> String {
+        match self {
+            Self::Turntable { steps, .. } => format!("all {steps} views of the turntable"),
+            // None of n fails: with p failing, that has the probability (1 - p)^n < e^(-p n), which
+            // is 5 % at p = 3 / n.
+            Self::Orbit { count } => format!(
+                "{count} random views: with 95 % confidence less than {:.2} % of all do otherwise",
+                300.0 / f64::from(*count)
+            ),
+            Self::List(views) => format!("all {} views", views.len()),
+        }
+    }
+}
+
+impl View {
+    fn rotation(&self) -> Rotation {
+        let [y, x, z] = self.turns_degrees.map(turn);
+        Rotation::about_z(z) * Rotation::about_x(x) * Rotation::about_y(y)
+    }
+}
+
+/// The nearest angle that the core has.
+pub(super) fn turn(degrees: f64) -> Turn {
+    let steps = (degrees / 360.0).rem_euclid(1.0) * 2f64.powi(32);
+    // An angle that rounds up to a full turn wraps to 0.
+    Turn::from_bits(steps.round() as u64 as u32)
+}
+
+/// Marsaglia's xorshift64* (Vigna, *An experimental exploration of Marsaglia's xorshift
+/// generators*): the same views on each host.
+struct Random(u64);
+
+impl Random {
+    /// From 0 to below 1.
+    fn unit(&mut self) -> f64 {
+        self.0 ^= self.0 >> 12;
+        self.0 ^= self.0 << 25;
+        self.0 ^= self.0 >> 27;
+        (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / 2f64.powi(53)
+    }
+
+    /// Any rotation: the direction that is seen from the front is uniform on the sphere, whose
+    /// area between two heights is proportional to their difference (Archimedes).
+    fn rotation(&mut self) -> Rotation {
+        let yaw = 360.0 * self.unit();
+        let pitch = (2.0 * self.unit() - 1.0).asin().to_degrees();
+        let roll = 360.0 * self.unit();
+        View { turns_degrees: [yaw, pitch, roll], distance: None }.rotation()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_turntable_has_exactly_its_steps() {
+        let views = Views::Turntable { steps: 4, pitch_degrees: 0.0 }.placed(3.0);
+        // The x axis turns towards the camera, which lies on the z axis: about y, x goes to -z.
+        let seen: Vec<_> = views.iter().map(|view| view.see([1.0, 0.0, 0.0])).collect();
+        let expected = [[1.0, 0.0, 3.0], [0.0, 0.0, 4.0], [-1.0, 0.0, 3.0], [0.0, 0.0, 2.0]];
+        for (seen, expected) in seen.iter().zip(expected) {
+            assert!((0..3).all(|i| (seen[i] - expected[i]).abs() < 1e-8), "{seen:?} {expected:?}");
+        }
+    }
+
+    #[test]
+    fn random_views_are_uniform_on_the_sphere() {
+        let views = Views::Orbit { count: 4_000 }.placed(3.0);
+        // The mean of a coordinate of a uniform direction is 0 and that of its square 1/3; four
+        // standard deviations of the means of 4,000 are 0.037 and 0.019.
+        for axis in 0..3 {
+            let front = |placed: &Placed| placed.rotation.rows()[2][axis].to_num::<f64>();
+            let mean = views.iter().map(front).sum::<f64>() / 4_000.0;
+            let square = views.iter().map(|v| front(v).powi(2)).sum::<f64>() / 4_000.0;
+            assert!(mean.abs() < 0.037, "{axis}: {mean}");
+            assert!((square - 1.0 / 3.0).abs() < 0.019, "{axis}: {square}");
+        }
+    }
+
+    #[test]
+    fn a_sample_is_told_from_all_views() {
+        assert!(Views::default().are_all());
+        assert_eq!(Views::default().basis(), "all 512 views of the turntable");
+        let orbit = Views::Orbit { count: 1_000 };
+        assert!(
+            !orbit.are_all() && orbit.basis().contains("less than 0.30 %"),
+            "{}",
+            orbit.basis()
+        );
+    }
+}

@@ -1,0 +1,156 @@
+//! The page of plans.
+
+use std::fmt::Write as _;
+
+use host_tools::model::thousands;
+use serde::{Deserialize, Serialize};
+
+use super::compare::{Compared, Figures, MOST_BYTES, MOST_CORRECTED, MOST_CYCLES, MOST_DIFFERENT};
+
+/// What is saved.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Saved {
+    pub(super) compiler: String,
+    pub(super) plans: Vec<Compared>,
+}
+
+const HEAD: &str = "\
+# Plans
+
+`host-tools plan MODEL.obj` looks at a model in the views that it will be seen from, and writes a
+renderer with just what it needs. This page compares what it predicts with what is measured: the Rust
+file is compiled into a program of a microcontroller, which QEMU runs. Written by `measure plan
+--save`; do not edit.
+
+";
+
+/// The page.
+pub(super) fn page(saved: &Saved) -> String {
+    let mut text = HEAD.to_owned();
+    let percent = |part: f64| format!("{:.0} %", 100.0 * part);
+    let _ = writeln!(
+        text,
+        "With {}. Flash and RAM are within {} of what is predicted, cycles within {} ({} where \
+         perspective is corrected; those of `needle` are not judged), or `measure plan` fails. So it does if more than {:.1} % of the pixels that show the model have a colour \
+         that is not, give or take two steps of RGB565, among those of the picture with everything on \
+         in the 3 x 3 pixels around.\n",
+        saved.compiler.split(" (").next().unwrap_or_default(),
+        percent(MOST_BYTES),
+        percent(MOST_CYCLES),
+        percent(MOST_CORRECTED),
+        100.0 * MOST_DIFFERENT
+    );
+    text += "\
+## What is chosen
+
+| scene | core | display | RAM for it | views | renderer |
+|---|---|---|---:|---:|---|
+";
+    for plan in &saved.plans {
+        let [width, height] = plan.display;
+        let (ram, views) = (plan.ram_bytes >> 10, plan.views);
+        let _ = writeln!(
+            text,
+            "| {} | {} | {width} x {height} | {ram} KB | {views} | {} |",
+            plan.scene,
+            plan.core.title(),
+            plan.renderer
+        );
+    }
+    text += "
+## Predicted and measured
+
+Flash is that of code and tables, RAM that of buffers and stack, both without the runtime of the core;
+cycles are the mean of eight frames, or of all views of a list.
+
+| scene | flash | measured | | RAM | measured | | cycles | measured | | different pixels |
+|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
+";
+    for plan in &saved.plans {
+        let (predicted, measured) = (numbers(&plan.predicted), numbers(&plan.measured));
+        let errors = plan.errors().map(|error| format!("{:+.1} %", 100.0 * error));
+        let _ = write!(text, "| {}", plan.scene);
+        for ((predicted, measured), error) in predicted.iter().zip(&measured).zip(&errors) {
+            let _ = write!(text, " | {predicted} | {measured} | {error}");
+        }
+        let _ = writeln!(text, " | {:.2} % |", 100.0 * plan.different);
+    }
+    text += "
+## Against everything on
+
+The same model with 32 bits of depth, light at vertices, corrected perspective and clipping, in the
+highest bands that the RAM holds (or in the lowest, which may take more). Measured.
+
+| scene | flash | everything | saved | RAM | everything | cycles | everything | times as fast |
+|---|---:|---:|---:|---:|---:|---:|---:|---:|
+";
+    for plan in &saved.plans {
+        let ([flash, ram, cycles], [all_flash, all_ram, all_cycles]) =
+            (numbers(&plan.measured), numbers(&plan.everything));
+        let less = 1.0 - f64::from(plan.measured.flash) / f64::from(plan.everything.flash);
+        let times = plan.everything.cycles / plan.measured.cycles;
+        let _ = writeln!(
+            text,
+            "| {} | {flash} | {all_flash} | {:.0} % | {ram} | {all_ram} | {cycles} | {all_cycles} | \
+             {times:.2} |",
+            plan.scene,
+            100.0 * less
+        );
+    }
+    text += OMITTED;
+    text
+}
+
+/// A line for each plan.
+pub(super) fn summary(saved: &Saved) -> String {
+    let mut text = String::new();
+    for plan in &saved.plans {
+        let [flash, ram, cycles] = plan.errors().map(|error| format!("{:+.1} %", 100.0 * error));
+        let verdict = match (plan.is_good(), plan.most_cycles) {
+            (false, _) => "NOT as predicted",
+            (true, None) => "as predicted, but for cycles, which are not judged",
+            (true, Some(_)) => "as predicted",
+        };
+        let _ = writeln!(
+            text,
+            "{:<14} {:<10} flash {flash}, RAM {ram}, cycles {cycles}, {:.2} % of pixels differ: \
+             {verdict}\n{:14} {}",
+            plan.scene,
+            plan.core.title(),
+            100.0 * plan.different,
+            "",
+            plan.renderer
+        );
+    }
+    text
+}
+
+fn numbers(figures: &Figures) -> [String; 3] {
+    let cycles = figures.cycles.round() as usize;
+    [figures.flash as usize, figures.ram as usize, cycles].map(thousands)
+}
+
+const OMITTED: &str = "
+## How costs are known, and what is left out
+
+The costs of a renderer are a table (`host-tools/src/plan/costs.json`), measured once with three bodies
+that are made for it: a ring of 1,936 small triangles with shared corners, one of 144 large ones
+without, both with one-sided sheets in their opening, and a sheet alone, in 24 views each from near to
+far. All combinations are measured for one shader; the others have what they differ by in the
+simplest renderer. Flash and stack are those of that program. Cycles are a sum of what a frame has of pixels, bands, vertices,
+triangles, rows and covered pixels; their weights are fitted by least squares of relative errors. No
+model of this page is among those bodies.
+
+- Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is not
+  planned.
+- Slivers: a Cortex-M0+ divides their gradients bit by bit. The needle of 300 slivers of 1:300 takes
+  more than twice the cycles that its plan expects.
+- The divisions of a span in perspective: they depend on what it shows, and are no part of the sum.
+- Mip levels, bilinear filters, levels of 4 bits a texel: the plan makes textures as small as they are
+  seen instead.
+- small3dlib: its figures in the README are of its own scenes; it has no depth buffer of 16 bits and
+  no sub-pixels, so no scene here is drawn alike.
+- One order in flash for all views, and convex parts by separating planes: what is chosen instead is
+  the order of the mesh, if it is right in each view, or sorting.
+- A proof for all views of an orbit (cells of directions): random views bound the part that may fail.
+";

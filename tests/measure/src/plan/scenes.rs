@@ -1,0 +1,183 @@
+//! The scenes whose plans are measured: fixed before costs were, and none of them a body that costs
+//! are measured with.
+
+use std::{
+    env,
+    f64::consts::TAU,
+    fmt::Write as _,
+    fs,
+    path::{Path, PathBuf},
+};
+
+use anyhow::{Context as _, Result};
+use host_tools::plan::{Core, Request, View, Views};
+
+use crate::firmware;
+
+/// A model, and what it is planned for.
+#[derive(Clone, Debug)]
+pub(super) struct Scene {
+    pub(super) name: &'static str,
+    /// The OBJ file.
+    pub(super) file: PathBuf,
+    pub(super) request: Request,
+    /// Whether a plan knows its cycles.
+    pub(super) are_cycles_known: bool,
+}
+
+/// Where a model comes from.
+enum Model {
+    Shipped,
+    /// In the folder that `RASTERIZER_MODELS` names.
+    Foreign,
+    /// Made for this: hard for a rasterizer, not for its user.
+    Stiff(fn() -> String),
+}
+
+/// All scenes for which there is a model. Files that are made lie in `folder`.
+pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
+    use self::Core::{M0plus, M4};
+    use Model::{Foreign, Shipped, Stiff};
+    let turntable = Views::default;
+    let steep = || Views::Turntable { steps: 256, pitch_degrees: 50.0 };
+    let few = || {
+        let view = |turns_degrees| View { turns_degrees, distance: None };
+        Views::List(vec![
+            view([10.0, 20.0, 0.0]),
+            view([200.0, -35.0, 15.0]),
+            view([95.0, 60.0, 0.0]),
+        ])
+    };
+    let table = [
+        ("cube", Stiff(cube), M0plus, [320, 240], 32, turntable()),
+        ("wooden_crate", Shipped, M4, [320, 240], 192, turntable()),
+        ("rocket", Shipped, M0plus, [240, 240], 64, turntable()),
+        ("gear", Shipped, M4, [240, 320], 64, steep()),
+        ("torus_knot", Shipped, M0plus, [320, 240], 200, turntable()),
+        ("spot", Foreign, M0plus, [320, 240], 264, turntable()),
+        ("spot_textured", Foreign, M4, [320, 240], 128, steep()),
+        ("suzanne", Foreign, M4, [160, 128], 32, turntable()),
+        ("teapot", Foreign, M0plus, [240, 240], 48, turntable()),
+        // Three beams, each over one of its neighbours and under the other: no order is right.
+        ("crossing", Stiff(crossing), M0plus, [320, 240], 64, few()),
+        // Two plates a thousandth of their width apart.
+        ("plates", Stiff(plates), M4, [320, 240], 200, turntable()),
+        // Slivers of 1:300.
+        ("needle", Stiff(needle), M0plus, [128, 160], 24, turntable()),
+        // A triangle from 0.3 to 2.7 of the camera's distance.
+        ("corridor", Stiff(corridor), M4, [320, 240], 96, few()),
+    ];
+    let mut scenes = Vec::new();
+    for (name, model, core, display, kilobytes, views) in table {
+        let shipped = firmware::root().join("host-tools/models");
+        let beside = |folder: &Path| folder.join(name).with_extension("obj");
+        let file = match model {
+            Shipped => beside(&shipped),
+            Foreign => match env::var_os("RASTERIZER_MODELS") {
+                Some(folder) => beside(Path::new(&folder)),
+                None => continue,
+            },
+            Stiff(obj) => {
+                let file = beside(folder);
+                fs::write(&file, obj()).with_context(|| file.display().to_string())?;
+                file
+            }
+        };
+        let request = Request {
+            display,
+            core,
+            ram_bytes: kilobytes << 10,
+            clock_hz: core.usual_clock_mhz() * 1e6,
+            views,
+            // The corridor is long: its nearest end fills the view.
+            distance: if name == "corridor" { 1.25 } else { 3.0 },
+            ..Request::default()
+        };
+        // Gradients of slivers are divided bit by bit on a Cortex-M0+: no body that costs are
+        // measured with has any.
+        let are_cycles_known = name != "needle";
+        scenes.push(Scene { name, file, request, are_cycles_known });
+    }
+    Ok(scenes)
+}
+
+fn cube() -> String {
+    let corners = (0..8).map(|corner| {
+        let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -1 } else { 1 });
+        format!("v {x} {y} {z}\n")
+    });
+    corners.collect::<String>()
+        + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+}
+
+/// A box between two corners.
+fn boxed(text: &mut String, number: &mut u32, corners: [[f64; 3]; 8]) {
+    for [x, y, z] in corners {
+        let _ = writeln!(text, "v {x:.6} {y:.6} {z:.6}");
+    }
+    for face in [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
+    {
+        let [a, b, c, d] = face.map(|corner| corner + *number);
+        let _ = writeln!(text, "f {a} {b} {c} {d}");
+    }
+    *number += 8;
+}
+
+fn crossing() -> String {
+    let (mut text, mut number) = (String::new(), 0);
+    for beam in 0..3_u32 {
+        // Turned by a third each, and tilted: over the next at one end, under the last at the
+        // other.
+        let (sin, cos) = (TAU * f64::from(beam) / 3.0).sin_cos();
+        let corners = std::array::from_fn(|corner| {
+            let sign = |axis: usize| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
+            let (along, across, up) = (1.1 * sign(0), 0.35 + 0.12 * sign(1), 0.06 * sign(2));
+            [along * cos - across * sin, along * sin + across * cos, up + 0.22 * along]
+        });
+        boxed(&mut text, &mut number, corners);
+    }
+    text
+}
+
+fn plates() -> String {
+    let (mut text, mut number) = (String::new(), 0);
+    for place in [0.0, 0.022] {
+        let corners = std::array::from_fn(|corner: usize| {
+            let sign = |axis: usize| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
+            let size = if place > 0.0 { 0.6 } else { 1.0 };
+            [size * sign(0), size * sign(1), place + 0.01 * sign(2)]
+        });
+        text += if place > 0.0 { "usemtl b\n" } else { "usemtl a\n" };
+        boxed(&mut text, &mut number, corners);
+    }
+    text
+}
+
+fn needle() -> String {
+    let around = 150;
+    let mut text = String::from("v 0 1 0\nv 0 -1 0\n");
+    for i in 0..around {
+        let (sin, cos) = (TAU * f64::from(i) / f64::from(around)).sin_cos();
+        let _ = writeln!(text, "v {:.6} 0 {:.6}", 0.16 * cos, 0.16 * sin);
+    }
+    for i in 0..around {
+        let (this, next) = (i + 3, (i + 1) % around + 3);
+        let _ = writeln!(text, "f 1 {next} {this}\nf 2 {this} {next}");
+    }
+    text
+}
+
+fn corridor() -> String {
+    let (mut text, mut number) = (String::new(), 0);
+    for side in 0..4_u32 {
+        // Four walls of one box each, as long as the corridor.
+        let (sin, cos) = (TAU * f64::from(side) / 4.0).sin_cos();
+        let corners = std::array::from_fn(|corner: usize| {
+            let sign = |axis: usize| if corner >> axis & 1 == 0 { -1.0 } else { 1.0 };
+            let (out, across, along) = (0.27 + 0.02 * sign(0), 0.25 * sign(1), 0.9 * sign(2));
+            [out * cos - across * sin, out * sin + across * cos, along]
+        });
+        boxed(&mut text, &mut number, corners);
+    }
+    text
+}
