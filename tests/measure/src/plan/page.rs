@@ -137,9 +137,9 @@ The costs of a renderer are a table (`host-tools/src/plan/costs.json`), measured
 that are made for it: a ring of 1,936 small triangles with shared corners, one of 144 large ones
 without, both with one-sided sheets in their opening, and a sheet alone, in 24 views each from near to
 far. All combinations are measured for one shader; the others have what they differ by in the
-simplest renderer. Flash and stack are those of that program. Cycles are a sum of what a frame has of pixels, bands, vertices,
-triangles, rows and covered pixels; their weights are fitted by least squares of relative errors. No
-model of this page is among those bodies.
+simplest renderer. Flash and stack are those of that program. Cycles are a sum of what a frame has of
+pixels, bands, vertices, triangles, rows and covered pixels; their weights are fitted by least squares
+of relative errors. No model of this page is among those bodies.
 
 - Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is not
   planned.
@@ -148,8 +148,8 @@ model of this page is among those bodies.
 - The divisions of a span in perspective: they depend on what it shows, and are no part of the sum.
 - Mip levels, bilinear filters, levels of 4 bits a texel: the plan makes textures as small as they are
   seen instead.
-- small3dlib: its figures in the README are of its own scenes; it has no depth buffer of 16 bits and
-  no sub-pixels, so no scene here is drawn alike.
+- small3dlib: its figures in the README are of its own scenes; it draws without
+  sub-pixels and light, so no scene here is drawn alike.
 - One order in flash for all views, and convex parts by separating planes: what is chosen instead is
   the order of the mesh, if it is right in each view, or sorting.
 - A proof for all views of an orbit (cells of directions): random views bound the part that may fail.
