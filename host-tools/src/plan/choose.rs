@@ -1,7 +1,7 @@
 //! The choice among all renderers that are right.
 
 use super::{
-    Costs, Load, PlanError, Study, Types,
+    Costs, Load, PlanError, Study, Types, Visibility,
     decide::Decision,
     predict::{Candidate, Estimator, Fault, Predicted},
     source,
@@ -26,8 +26,8 @@ pub struct Plan {
     pub source: String,
 }
 
-/// Weights leave 1 to 3 % of a frame's cycles unexplained: of renderers within that, the smallest
-/// is taken.
+/// Weights leave 1 to 3 % of a frame's cycles unexplained: of renderers within that, the simplest
+/// is taken, and of these the smallest.
 const SAME_TIME: f64 = 1.02;
 
 impl Study {
@@ -44,11 +44,15 @@ impl Study {
         let by_time = |a: &&(Candidate, Predicted, _), b: &&(Candidate, Predicted, _)| {
             a.1.seconds.total_cmp(&b.1.seconds)
         };
-        let bytes = |(_, p, _): &&(Candidate, Predicted, _)| p.flash_bytes() + p.ram_bytes();
+        // Nothing is as simple as the order of the mesh.
+        let size = |(candidate, p, _): &&(Candidate, Predicted, _)| {
+            let decides = candidate.types.visibility != Visibility::MeshOrder;
+            (decides, p.flash_bytes() + p.ram_bytes())
+        };
         let least = all.iter().filter(fits).min_by(by_time).map_or(0.0, |(_, p, _)| p.seconds);
         let is_as_fast = |(_, p, _): &&(Candidate, Predicted, _)| p.seconds <= SAME_TIME * least;
         let fast = all.iter().filter(fits).filter(is_as_fast);
-        let Some(&(chosen, predicted, _)) = fast.min_by_key(bytes) else {
+        let Some(&(chosen, predicted, _)) = fast.min_by_key(size) else {
             let right = || all.iter().filter(|(.., fault)| *fault != Some(Fault::Wrong));
             return Err(PlanError::TooLarge {
                 ram: self.request.ram_bytes,

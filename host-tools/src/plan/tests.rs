@@ -90,6 +90,10 @@ fn an_open_surface_is_judged_by_its_views() {
     let sheet = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
     let plan = plan(sheet, &request());
     assert_eq!(plan.chosen.types.visibility, Visibility::MeshOrder);
+    // Also where sorting a triangle would cost next to nothing, and save bins.
+    let triangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n";
+    let large = Request { display: [320, 240], ..request() };
+    assert_eq!(self::plan(triangle, &large).chosen.types.visibility, Visibility::MeshOrder);
     assert_eq!(decision(&plan, "visibility").basis, "all 16 views of the turntable");
 }
 
