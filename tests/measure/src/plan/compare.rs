@@ -213,7 +213,8 @@ mod tests {
         };
         assert_eq!(different(&square(2), &square(2), 8), 0.0);
         assert_eq!(different(&square(3), &square(2), 8), 0.0);
-        // Two columns farther, a column is black where only white is, and one white.
-        assert_eq!(different(&square(4), &square(2), 8), 8.0 / 16.0);
+        // Two columns farther, the middle of a column is black in the middle of white, and the last
+        // one is white before nothing but black.
+        assert_eq!(different(&square(4), &square(2), 8), (2.0 + 4.0) / 16.0);
     }
 }
