@@ -75,6 +75,8 @@ pub use planes::{MOST_PLANES, PlaneSpace, ViewPlanes};
 pub use shading::Shading;
 pub use truth::{TrueModel, Truth};
 pub use view::{Projection, Subpixel, View, ViewError};
+#[cfg(feature = "plan")]
+pub(crate) use view::{angle, checked};
 
 use crate::{model::Model, reference};
 use blending::Layers;

@@ -327,13 +327,13 @@ impl View {
 const ANGLE_STEPS: f64 = 4_294_967_296.0;
 
 /// The nearest angle that the core has.
-fn angle(degrees: f64) -> Turn {
+pub(crate) fn angle(degrees: f64) -> Turn {
     let steps = (degrees / 360.0).rem_euclid(1.0) * ANGLE_STEPS;
     // An angle that rounds up to a full turn wraps to 0.
     Turn::from_bits(steps.round() as u64 as u32)
 }
 
-pub(super) fn checked(
+pub(crate) fn checked(
     what: &'static str,
     value: f64,
     least: f64,

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{
-    AlphaFormat, ColorFormat, Model, Texture, TextureTable, TextureWrap, Textures,
+    AlphaFormat, ColorFormat, Model, Texture, TextureWrap, Textures,
     emit::{in_comment, rows, table},
 };
 
@@ -26,7 +26,7 @@ pub(super) fn textures(out: &mut String, model: &Model) -> std::fmt::Result {
         (format!("Option<{type_name}>"), "; `None` where it has a colour")
     };
     writeln!(out, "\n/// The texture of each material of [`{name}`]{without}.")?;
-    if matches!(model.texture_coordinates, TextureTable::I32(_)) {
+    if model.texture_coordinates.is_wide() {
         writeln!(out, "///")?;
         writeln!(
             out,

@@ -16,6 +16,12 @@ pub enum TextureTable {
 }
 
 impl TextureTable {
+    /// Whether coordinates have 32 bits: shaders then need `with_wide_coordinates`.
+    #[must_use]
+    pub const fn is_wide(&self) -> bool {
+        matches!(self, Self::I32(_))
+    }
+
     /// Rounds coordinates to the steps of 16 bits if all of them fit, else to those of 32.
     fn new(path: &Path, exact: &[[f64; 2]]) -> Result<Self, ModelError> {
         if let Some(table) = q14(exact) {

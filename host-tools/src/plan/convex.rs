@@ -109,15 +109,12 @@ fn dot(a: [i64; 3], b: [i64; 3]) -> i64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::Options;
+    use crate::{model::Options, plan::tests::CUBE};
 
     fn shape_of(obj: &str) -> Shape {
         let model = Model::from_bytes("m.obj".as_ref(), obj.as_bytes(), &Options::default());
         shape(&model.unwrap())
     }
-
-    const CUBE: &str = "v 0 0 0\nv 0 0 1\nv 0 1 0\nv 0 1 1\nv 1 0 0\nv 1 0 1\nv 1 1 0\nv 1 1 1\n\
-                        f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
 
     /// The cube again, scaled and moved.
     fn second(scale: f64, by: f64) -> String {

@@ -52,11 +52,11 @@ impl Load {
         "of these, in front",
     ];
 
-    /// That of a view on a display of some pixels, in bands of the height with this place in
-    /// [`band_rows`](super::band_rows). What one band takes is a part of the pixels, and it meets
-    /// each triangle once.
-    pub(super) fn of(work: &Work, pixels: u32, bands: u32, place: usize) -> Self {
-        let Work { vertices, triangles, seen, missed, rows, covered, passed, .. } = *work;
+    /// That of a view of some vertices, on a display of some pixels in some bands, whose height has
+    /// this place in [`band_rows`](super::band_rows). What one band takes is a part of the pixels,
+    /// and it meets each triangle once.
+    pub(super) fn of(work: &Work, vertices: u64, [pixels, bands]: [u32; 2], place: usize) -> Self {
+        let Work { triangles, seen, missed, rows, covered, passed, .. } = *work;
         let met = if bands == 1 { 0 } else { work.met.get(place).copied().unwrap_or(0) };
         let bands = if bands == 1 { 0 } else { bands };
         let counts = [

@@ -59,8 +59,7 @@ impl Study {
 
     fn visibility(&self, estimator: &Estimator<'_>, chosen: Candidate) -> Decision {
         let visibility = chosen.types.visibility;
-        let place = Visibility::ALL.iter().position(|&v| v == visibility).unwrap_or(0);
-        let worst = self.worst[place];
+        let worst = self.worst(visibility);
         let is_proven = self.shape == Shape::Convex && visibility == Visibility::MeshOrder;
         let shape = match self.shape {
             Shape::Convex => "the mesh is convex: no front face hides another".to_owned(),
@@ -111,13 +110,21 @@ impl Study {
         Decision {
             about: "clipping",
             choice: choice.into(),
-            reason: format!(
-                "the model stays within {:.0} of the 1,024 pixels that the guard band reaches, and \
-                 between the near and the far plane ({} and {})",
-                self.reach_px, self.depth_range[0], self.depth_range[1]
-            ),
+            reason: if self.clips {
+                format!(
+                    "the model may reach {:.0} pixels from the middle of the display, beyond the \
+                     1,024 of the guard band",
+                    self.reach_px
+                )
+            } else {
+                format!(
+                    "the model stays within {:.0} of the 1,024 pixels that the guard band reaches, \
+                     and between the near and the far plane ({} and {})",
+                    self.reach_px, self.depth_range[0], self.depth_range[1]
+                )
+            },
             basis: PROVEN.into(),
-            margin: format!("{:.0} pixels", 1_024.0 - self.reach_px),
+            margin: format!("{:.0} pixels", (1_024.0 - self.reach_px).abs()),
             other: if self.clips {
                 None
             } else {

@@ -25,8 +25,6 @@ mod texels;
 mod types;
 mod views;
 
-use rasterizer::{camera::CameraError, output::FrameError, scene::ProjectError};
-
 pub use choose::Plan;
 pub use convex::{Shape, shape};
 pub use costs::{Cost, Costs, Load};
@@ -38,7 +36,7 @@ pub use study::{Study, Worst};
 pub use types::{Correction, Paint, Texels, Types, Vertices, Visibility};
 pub use views::{View, Views};
 
-use crate::model::ModelError;
+use crate::{check::ViewError, model::ModelError};
 
 /// Why there is no plan.
 #[derive(Debug, thiserror::Error)]
@@ -60,27 +58,9 @@ pub enum PlanError {
         /// The sphere's radius.
         radius: f64,
     },
-    /// A number is outside what the core has for it.
-    #[error("{what} is {value}, but must lie from {least} to {most}")]
-    OutOfRange {
-        /// What the number is for.
-        what: &'static str,
-        /// The number.
-        value: f64,
-        /// The least that is allowed.
-        least: f64,
-        /// The most that is allowed.
-        most: f64,
-    },
-    /// The camera's numbers contradict each other.
-    #[error(transparent)]
-    Camera(#[from] CameraError),
     /// The core refuses the model in a view.
     #[error(transparent)]
-    Project(#[from] ProjectError),
-    /// A picture cannot have that size.
-    #[error(transparent)]
-    Frame(#[from] FrameError),
+    View(#[from] ViewError),
     /// No renderer fits.
     #[error(
         "no renderer fits {ram} bytes of RAM{}: the smallest takes {least_ram} bytes of RAM and \

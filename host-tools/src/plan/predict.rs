@@ -2,9 +2,9 @@
 
 use super::{
     Correction, Costs, Paint, PlanError, Study, Types, Vertices, Visibility, band_rows,
-    decide::Other,
+    decide::Other, types::Tables,
 };
-use crate::model::{Model, TextureTable};
+use crate::model::Model;
 
 /// A renderer, and the rows that it draws at a time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize)]
@@ -67,29 +67,18 @@ pub(super) struct Estimator<'a> {
     study: &'a Study,
     costs: &'a Costs,
     /// The model for each kind of tables.
-    models: Vec<(bool, Paint, Model)>,
+    models: Vec<(Tables, Model)>,
 }
 
 impl<'a> Estimator<'a> {
     pub(super) fn new(study: &'a Study, costs: &'a Costs) -> Result<Self, PlanError> {
-        let mut models = Vec::new();
-        let mut paints = study.paints();
-        // For everything on.
-        paints.extend(paints.clone().iter().filter_map(|paint| match paint {
-            Paint::Textures(Correction::Affine, texels) => {
-                Some(Paint::Textures(Correction::Adaptive, *texels))
-            }
-            Paint::Textures(Correction::Adaptive, texels) => {
-                Some(Paint::Textures(Correction::Affine, *texels))
-            }
-            _ => None,
-        }));
-        paints.sort_unstable();
-        paints.dedup();
-        for paint in paints {
+        let mut models: Vec<(Tables, Model)> = Vec::new();
+        for paint in study.paints() {
             for is_smooth in [false, true] {
                 let types = Types { is_smooth, paint, ..EVERYTHING };
-                models.push((is_smooth, paint, study.model(&types)?));
+                if !models.iter().any(|(tables, _)| *tables == types.tables()) {
+                    models.push((types.tables(), study.model(&types)?));
+                }
             }
         }
         Ok(Self { study, costs, models })
@@ -97,11 +86,9 @@ impl<'a> Estimator<'a> {
 
     /// The model with the tables of types.
     pub(super) fn model(&self, types: &Types) -> &Model {
-        let is_of = |(is_smooth, paint, _): &&(bool, Paint, Model)| {
-            (*is_smooth, *paint) == (types.is_smooth, types.paint)
-        };
+        let is_of = |(tables, _): &&(Tables, Model)| *tables == types.tables();
         let found = self.models.iter().find(is_of).or(self.models.first());
-        &found.expect("a study has a model").2
+        &found.expect("a study has a model").1
     }
 
     /// What a renderer is expected to take; `None` if nothing is known about its types.
@@ -211,7 +198,7 @@ const EVERYTHING: Types = Types {
 /// The bytes of the buffers that the Rust file has.
 const fn buffer_bytes(model: &Model, types: &Types, display: [u32; 2], rows: u32) -> u32 {
     let [width, height] = display;
-    let wide = matches!(model.texture_coordinates, TextureTable::I32(_));
+    let wide = model.texture_coordinates.is_wide();
     let triangles = model.report.triangles;
     let pixels = width * rows * (2 + types.visibility.depth_bytes());
     let vertices = match types.vertices {

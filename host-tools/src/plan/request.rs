@@ -1,6 +1,7 @@
 //! What a picture is wanted for.
 
 use super::Views;
+use crate::{check::Subpixel, reference::Projection};
 
 /// The cores that costs are known for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
@@ -46,10 +47,10 @@ impl Core {
     /// The precision of vertices that costs nothing: without a long multiply, 256ths of a pixel
     /// take one to two per cent more cycles than sixteenths.
     #[must_use]
-    pub const fn subpixel(self) -> &'static str {
+    pub const fn subpixel(self) -> Subpixel {
         match self {
-            Self::M0plus => "S4",
-            Self::M4 => "S8",
+            Self::M0plus => Subpixel::S4,
+            Self::M4 => Subpixel::S8,
         }
     }
 }
@@ -115,7 +116,7 @@ impl Default for Request {
 impl Request {
     /// The focal length in pixels.
     pub(super) fn focal_length_px(&self) -> f64 {
-        let half_height = f64::from(self.display[1]) / 2.0;
-        half_height / (self.field_of_view_degrees.to_radians() / 2.0).tan()
+        let height = f64::from(self.display[1]);
+        Projection::focal_length_px(self.field_of_view_degrees.to_radians(), height)
     }
 }

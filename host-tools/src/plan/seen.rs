@@ -22,7 +22,8 @@ use rasterizer::{
     shade::{Face, Outcome, Shader},
 };
 
-use super::{PlanError, Visibility, band_rows, views::Placed};
+use super::{Visibility, band_rows, views::Placed};
+use crate::check::{Subpixel as Precision, ViewError};
 
 /// The number of the face that a pixel shows, from 1; 0 for none.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -66,8 +67,6 @@ impl Shader for Numbered {
 /// What costs of a view depend on.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Work {
-    /// Vertices of the mesh.
-    pub vertices: u64,
     /// Triangles of the mesh.
     pub triangles: u64,
     /// Triangles that face the camera, and may cover a pixel.
@@ -104,20 +103,27 @@ pub(super) struct Eye<'a> {
 }
 
 impl Eye<'_> {
-    /// Looks at the model in a view, in the precision of a core.
+    /// Looks at the model in a view.
     ///
     /// # Errors
     ///
     /// Returns an error if the core refuses the view.
-    pub(super) fn look<S: Subpixel>(&self, view: &Placed) -> Result<Seen, PlanError> {
+    pub(super) fn look(&self, precision: Precision, view: &Placed) -> Result<Seen, ViewError> {
+        match precision {
+            Precision::S4 => self.look_in::<S4>(view),
+            Precision::S8 => self.look_in::<S8>(view),
+        }
+    }
+
+    fn look_in<S: Subpixel>(&self, view: &Placed) -> Result<Seen, ViewError> {
         let counts = Counts { bands: band_rows(self.size[1]), ..Counts::default() };
         let faces = self.faces::<S, u32>(view, None)?;
         let shown = faces.iter().filter(|&&FaceNumber(face)| face > 0).count();
         let mut wrong = [0; Visibility::ALL.len()];
         for (wrong, visibility) in wrong.iter_mut().zip(Visibility::ALL) {
             let other = match visibility {
-                Visibility::MeshOrder => self.unordered::<S>(view)?,
-                Visibility::Sorted => self.sorted::<S>(view)?,
+                Visibility::MeshOrder => self.without_depth::<S>(view, false)?,
+                Visibility::Sorted => self.without_depth::<S>(view, true)?,
                 Visibility::U16 => self.faces::<S, u16>(view, Some(&counts))?,
                 Visibility::Float16 => self.faces::<S, FloatDepth>(view, None)?,
                 Visibility::U32 => continue,
@@ -125,7 +131,6 @@ impl Eye<'_> {
             *wrong = other.iter().zip(&faces).filter(|(a, b)| a != b).count();
         }
         let mut work = counts.work.into_inner();
-        work.vertices = self.mesh.vertex_count() as u64;
         work.triangles = self.mesh.triangle_count() as u64;
         work.passed = counts.passed.get();
         let faces = faces.into_iter().map(|FaceNumber(face)| face).collect();
@@ -136,7 +141,7 @@ impl Eye<'_> {
         Rectangle::new(Point::zero(), Size::new(self.size[0], self.size[1]))
     }
 
-    fn camera(&self, view: &Placed) -> Result<Camera<Perspective>, PlanError> {
+    fn camera(&self, view: &Placed) -> Result<Camera<Perspective>, ViewError> {
         let eye = Vec3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(view.distance));
         Ok(Camera::at(eye, Rotation::IDENTITY, self.lens, self.area())?)
     }
@@ -150,7 +155,7 @@ impl Eye<'_> {
         &self,
         view: &Placed,
         counts: Option<&Counts>,
-    ) -> Result<Vec<FaceNumber>, PlanError> {
+    ) -> Result<Vec<FaceNumber>, ViewError> {
         let (mut color, mut depth) = (self.pixels(FaceNumber(0)), self.pixels(D::ZERO));
         let mut vertices = vec![ScreenVertex::<S, D, _>::EMPTY; self.mesh.vertex_count()];
         let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
@@ -162,34 +167,28 @@ impl Eye<'_> {
         Ok(color)
     }
 
-    /// The faces in the order of the mesh, the last on top.
-    fn unordered<S: Subpixel>(&self, view: &Placed) -> Result<Vec<FaceNumber>, PlanError> {
-        let mut color = self.pixels(FaceNumber(0));
-        let mut vertices = vec![ScreenVertex::<S, NoDepth, _>::EMPTY; self.mesh.vertex_count()];
-        let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
-        let Ok(()) = seen.draw(&mut Frame::without_depth(&mut color, self.area())?);
-        Ok(color)
-    }
-
-    /// The faces from back to front.
-    fn sorted<S: Subpixel>(&self, view: &Placed) -> Result<Vec<FaceNumber>, PlanError> {
+    /// The faces without depth: in the order of the mesh, the last on top, or from back to front.
+    fn without_depth<S: Subpixel>(
+        &self,
+        view: &Placed,
+        is_sorted: bool,
+    ) -> Result<Vec<FaceNumber>, ViewError> {
         let mut color = self.pixels(FaceNumber(0));
         let mut vertices = vec![ScreenVertex::<S, NoDepth, _>::EMPTY; self.mesh.vertex_count()];
         let mut order = vec![0; self.mesh.triangle_count()];
         let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
-        let seen = seen.back_to_front(&mut order)?;
-        let Ok(()) = seen.draw(&mut Frame::without_depth(&mut color, self.area())?);
+        let mut frame = Frame::without_depth(&mut color, self.area())?;
+        let Ok(()) = if is_sorted {
+            seen.back_to_front(&mut order)?.draw(&mut frame)
+        } else {
+            seen.draw(&mut frame)
+        };
         Ok(color)
     }
 
     fn pixels<T: Clone>(&self, value: T) -> Vec<T> {
         vec![value; self.size[0] as usize * self.size[1] as usize]
     }
-}
-
-/// The precisions of vertices, so that one is chosen at run time.
-pub(super) fn look(eye: &Eye<'_>, subpixel: &str, view: &Placed) -> Result<Seen, PlanError> {
-    if subpixel == "S4" { eye.look::<S4>(view) } else { eye.look::<S8>(view) }
 }
 
 /// What is counted while a view is drawn.

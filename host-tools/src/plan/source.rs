@@ -2,10 +2,11 @@
 
 use std::fmt::Write as _;
 
-use super::{
-    Correction, Decision, Paint, Request, Study, Types, Vertices, Views, Visibility, views::turn,
+use super::{Correction, Decision, Paint, Request, Study, Types, Vertices, Views, Visibility};
+use crate::{
+    check::angle,
+    model::{Model, emit},
 };
-use crate::model::{Model, TextureTable, emit};
 
 /// The file: the tables of the model, the types, the memory, and a function that draws.
 pub(super) fn source(study: &Study, model: &Model, types: &Types, rows: u32) -> String {
@@ -37,10 +38,6 @@ fn texture_type(model: &Model) -> String {
     if textures.by_material.iter().all(Option::is_some) { name } else { format!("Option<{name}>") }
 }
 
-const fn has_wide_coordinates(model: &Model) -> bool {
-    matches!(model.texture_coordinates, TextureTable::I32(_))
-}
-
 /// Constants and types.
 fn head(study: &Study, model: &Model, types: &Types, rows: u32) -> String {
     let request = &study.request;
@@ -49,69 +46,54 @@ fn head(study: &Study, model: &Model, types: &Types, rows: u32) -> String {
     let [near, far] = study.depth_range;
     let [red, green, blue] = request.background;
     let (red, green, blue) = (red >> 3, green >> 2, blue >> 3);
-    let shading = types.shader(&texture_type(model), has_wide_coordinates(model));
-    let subpixel = request.core.subpixel();
-    let depth = types.visibility.depth();
-    let shader = match types.paint {
-        Paint::Textures(correction, _) => {
-            let wide = if has_wide_coordinates(model) { ".with_wide_coordinates()" } else { "" };
-            let correction = match correction {
-                Correction::Affine => ".corrected(Affine)",
-                Correction::Adaptive => "",
-            };
-            let name = if types.is_smooth { "TexturedGouraud" } else { "TexturedFlat" };
-            format!("{name}::new(&{}_TEXTURES, LIGHT){correction}{wide}", model.name)
-        }
-        _ => "Shading::new(LIGHT)".into(),
-    };
-    let attributes = if depth == "u16" || depth == "u32" {
-        String::new()
-    } else {
-        format!("attribute::{depth},\n    ")
-    };
-    let affine = if matches!(types.paint, Paint::Textures(Correction::Affine, _)) {
-        "attribute::Affine,\n    "
-    } else {
-        ""
-    };
+    let is_wide = model.texture_coordinates.is_wide();
+    let shading = types.shader(&texture_type(model), is_wide);
     let name = shading.split('<').next().unwrap_or_default();
+    let precision = format!("S{}", request.core.subpixel().bits());
+    let depth = types.visibility.depth();
+    let is_stored = types.vertices == Vertices::Stored;
+    // What is imported besides that all files need, and the shader.
+    let is_own = !matches!(types.visibility, Visibility::U16 | Visibility::U32);
+    let mut attributes: Vec<&str> = is_own.then_some(depth).into_iter().collect();
+    let shader = if let Paint::Textures(correction, _) = types.paint {
+        let (attribute, corrected) = match correction {
+            Correction::Affine => ("Affine", ".corrected(Affine)"),
+            Correction::Adaptive => ("Adaptive", ""),
+        };
+        attributes.push(attribute);
+        let wide = if is_wide { ".with_wide_coordinates()" } else { "" };
+        format!("{name}::new(&{}_TEXTURES, LIGHT){corrected}{wide}", model.name)
+    } else {
+        "Shading::new(LIGHT)".into()
+    };
+    let attributes: String =
+        attributes.iter().map(|name| format!("attribute::{name},\n    ")).collect();
     let bins = if has_bins(types) { ", bin_words" } else { "" };
     let nearest = if model.textures.is_some() { "    texture::Nearest,\n" } else { "" };
-    let adaptive = if matches!(types.paint, Paint::Textures(Correction::Adaptive, _)) {
-        "attribute::Adaptive,\n    "
-    } else {
-        ""
-    };
-    let (vertex, vertices) = if types.vertices == Vertices::Stored {
-        (
-            "\n/// A vertex on the screen.\ntype Vertex = ScreenVertex<Precision, Depth, OnScreen<Shading>>;\n",
-            ", ScreenVertex",
-        )
-    } else {
-        ("", "")
-    };
-    let on_screen = if types.vertices == Vertices::Stored { "OnScreen, " } else { "" };
-    let clip = if types.clips { "ClipAll" } else { "ClipNone" };
-    let depth_name = if types.visibility.depth_bytes() > 0 || types.vertices == Vertices::Stored {
+    let [screen_vertex, on_screen] =
+        if is_stored { [", ScreenVertex", ", OnScreen"] } else { [""; 2] };
+    let clip = clipping(types);
+    let depth_type = if is_stored || types.visibility.depth_bytes() > 0 {
         format!("\n/// How depth is kept.\ntype Depth = {depth};\n")
     } else {
         String::new()
     };
+    let vertex_type = if is_stored { VERTEX } else { "" };
     format!(
         "
 use ::rasterizer::{{
-    {attributes}{affine}{adaptive}camera::{{Camera, CameraError, Distance, Perspective}},
+    {attributes}camera::{{Camera, CameraError, Distance, Perspective}},
     embedded_graphics_core::{{
         draw_target::DrawTarget,
         geometry::{{Point, Size}},
         pixelcolor::{{Rgb565, RgbColor}},
         primitives::Rectangle,
     }},
-    geometry::{{{clip}, Pose{vertices}}},
-    numbers::{{Rotation, Scalar, {subpixel} as Precision, Turn, Vec3}},
+    geometry::{{{clip}, Pose{screen_vertex}}},
+    numbers::{{Rotation, Scalar, {precision} as Precision, Turn, Vec3}},
     output::{{Bands, FrameError}},
     scene::{{Object, ProjectError{bins}}},
-    shade::{{{name}, Level, Light, {on_screen}}},
+    shade::{{{name}, Level, Light{on_screen}}},
 {nearest}}};
 
 /// The display's pixels.
@@ -145,13 +127,23 @@ const LENS: Perspective = match Perspective::new(
 
 /// How it is coloured.
 type Shading = {shading};
-{depth_name}{vertex}
+{depth_type}{vertex_type}
 /// The shader.
 const SHADER: Shading = {shader};
 ",
         fov = request.field_of_view_degrees,
-        turn = turn(request.field_of_view_degrees).to_bits(),
+        turn = angle(request.field_of_view_degrees).to_bits(),
     )
+}
+
+const VERTEX: &str = "
+/// A vertex on the screen.
+type Vertex = ScreenVertex<Precision, Depth, OnScreen<Shading>>;
+";
+
+/// How triangles are clipped, as Rust.
+const fn clipping(types: &Types) -> &'static str {
+    if types.clips { "ClipAll" } else { "ClipNone" }
 }
 
 /// Whether bands have lists of their triangles.
@@ -161,40 +153,31 @@ const fn has_bins(types: &Types) -> bool {
 
 /// The memory.
 fn memory(model: &Model, types: &Types) -> String {
-    let name = &model.name;
-    let mut fields = vec![("color: [Rgb565; PIXELS]", "color: [Rgb565::BLACK; PIXELS]")];
-    if types.visibility.depth_bytes() > 0 {
-        fields.push((
-            "depth: [Depth; PIXELS]",
-            DEPTH_ZERO[usize::from(types.visibility == Visibility::Float16)],
-        ));
-    }
-    if types.vertices == Vertices::Stored {
-        fields.push(("vertices: [Vertex; VERTICES]", "vertices: [Vertex::EMPTY; VERTICES]"));
-    }
-    if has_bins(types) {
-        fields.push(("bins: [u32; BINS]", "bins: [0; BINS]"));
-    }
-    if types.visibility == Visibility::Sorted {
-        fields.push(("order: [u32; TRIANGLES]", "order: [0; TRIANGLES]"));
-    }
-    let list = |part: fn(&(&str, &str)) -> String| -> String {
-        fields.iter().map(part).map(|field| format!("    {field},\n")).collect()
-    };
-    let (declared, empty) = (list(|field| field.0.into()), list(|field| field.1.into()));
+    let (name, farthest) = (&model.name, types.visibility.farthest());
     let mut constants = String::new();
+    // The name of each buffer, its type and its content.
+    let mut fields = vec![("color", "[Rgb565; PIXELS]", "[Rgb565::BLACK; PIXELS]".to_owned())];
+    if types.visibility.depth_bytes() > 0 {
+        fields.push(("depth", "[Depth; PIXELS]", format!("[{farthest}; PIXELS]")));
+    }
     if types.vertices == Vertices::Stored {
-        let _ = writeln!(constants, "const VERTICES: usize = {name}.vertex_count();");
+        constants += &format!("const VERTICES: usize = {name}.vertex_count();\n");
+        fields.push(("vertices", "[Vertex; VERTICES]", "[Vertex::EMPTY; VERTICES]".into()));
     }
     if has_bins(types) {
-        let _ = writeln!(
-            constants,
-            "const BINS: usize = bin_words({name}.triangle_count(), SCREEN.size.height, ROWS);"
+        constants += &format!(
+            "const BINS: usize = bin_words({name}.triangle_count(), SCREEN.size.height, ROWS);\n"
         );
+        fields.push(("bins", "[u32; BINS]", "[0; BINS]".into()));
     }
     if types.visibility == Visibility::Sorted {
-        let _ = writeln!(constants, "const TRIANGLES: usize = {name}.triangle_count();");
+        constants += &format!("const TRIANGLES: usize = {name}.triangle_count();\n");
+        fields.push(("order", "[u32; TRIANGLES]", "[0; TRIANGLES]".into()));
     }
+    let declared: String =
+        fields.iter().map(|(name, kind, _)| format!("    {name}: {kind},\n")).collect();
+    let empty: String =
+        fields.iter().map(|(name, _, value)| format!("        {name}: {value},\n")).collect();
     format!(
         "
 {constants}
@@ -211,8 +194,6 @@ impl Memory {{
 "
     )
 }
-
-const DEPTH_ZERO: [&str; 2] = ["depth: [0; PIXELS]", "depth: [FloatDepth::FAR; PIXELS]"];
 
 const ERROR: &str = "
 /// Why a picture is not drawn.
@@ -251,7 +232,7 @@ impl<E> From<FrameError> for Error<E> {
 fn draw(study: &Study, model: &Model, types: &Types) -> String {
     let (views, argument, rotation, distance) = views(study);
     let name = &model.name;
-    let clip = if types.clips { "ClipAll" } else { "ClipNone" };
+    let clip = clipping(types);
     let project = match types.vertices {
         Vertices::Stored => "project(&camera, &mut memory.vertices)?",
         Vertices::OnDemand => "project_on_demand(&camera, Precision)?",
@@ -290,13 +271,13 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     )
 }
 
-/// The views, the argument of `draw` that chooses one, and the statements that
-/// compute its rotation, and its distance.
+/// The views, the argument of `draw` that chooses one, the statements that compute its rotation,
+/// and its distance.
 fn views(study: &Study) -> (String, &'static str, String, String) {
     let distance = format!("const {{ Scalar::lit(\"{}\") }}", study.request.distance);
     match &study.request.views {
         Views::Turntable { steps, pitch_degrees } => {
-            let tilt = turn(*pitch_degrees).to_bits();
+            let tilt = angle(*pitch_degrees).to_bits();
             (
                 format!(
                     "
@@ -324,7 +305,7 @@ const VIEWS: [([u32; 3], Scalar); {}] = [
                 views.len()
             );
             for view in views {
-                let [y, x, z] = view.turns_degrees.map(|degrees| turn(degrees).to_bits());
+                let [y, x, z] = view.turns_degrees.map(|degrees| angle(degrees).to_bits());
                 let distance = view.distance.unwrap_or(study.request.distance);
                 let _ =
                     writeln!(text, "    ([{y:#x}, {x:#x}, {z:#x}], Scalar::lit(\"{distance}\")),");

@@ -12,9 +12,12 @@ use super::{
     seen, source,
     texels::{Sampling, Texels as Coordinates},
     types,
-    views::{Placed, turn},
+    views::Placed,
 };
-use crate::model::{ColorFormat, Contents, Model, Options, TexelFormat, TextureOptions};
+use crate::{
+    check::{ViewError, angle, checked},
+    model::{ColorFormat, Contents, Model, Options, TexelFormat, TextureOptions},
+};
 
 /// How far a corner's normal may lie from that of its triangle without anyone seeing the difference
 /// in light, in degrees. Normals are stored in 127ths, which turns each by up to 0.4 degrees.
@@ -34,12 +37,10 @@ pub struct Study {
     /// The work of each view.
     pub work: Vec<Work>,
     /// For each of [`Visibility::ALL`] the view with most wrong pixels.
-    pub worst: [Worst; Visibility::ALL.len()],
+    worst: [Worst; Visibility::ALL.len()],
     /// Whether light of vertices differs from that of triangles, and by how many degrees of their
     /// normals.
     pub normal_degrees: f64,
-    /// The radius of the sphere about the origin that holds the model, in its units.
-    pub radius: f64,
     /// The nearest and the farthest distance of the depth range.
     pub(super) depth_range: [f64; 2],
     /// Whether triangles may reach beyond the depth range or the guard band.
@@ -63,8 +64,6 @@ pub struct Worst {
     pub wrong: usize,
     /// The part that they are of those that show the model.
     pub part: f64,
-    /// The sum over all views.
-    pub all: usize,
 }
 
 /// How textures are sampled.
@@ -111,7 +110,6 @@ impl Study {
             work: seen.work,
             worst: seen.worst,
             normal_degrees: normal_degrees(&model),
-            radius,
             depth_range: lens.range,
             clips: lens.reach_px >= GUARD_PX,
             reach_px: lens.reach_px,
@@ -130,13 +128,19 @@ impl Study {
         self.normal_degrees <= FLAT_DEGREES && !self.has_vertex_colors
     }
 
+    /// The worst view of a way to decide visibility.
+    #[must_use]
+    pub fn worst(&self, visibility: Visibility) -> Worst {
+        let place = Visibility::ALL.iter().position(|&other| other == visibility);
+        self.worst[place.unwrap_or_default()]
+    }
+
     /// Whether a way to decide visibility shows the right surfaces. A texture with holes shows what
     /// is behind, which only depth buffers know.
     #[must_use]
     pub fn is_right(&self, visibility: Visibility) -> bool {
         let is_convex = visibility == Visibility::MeshOrder && self.shape == Shape::Convex;
-        let place = Visibility::ALL.iter().position(|&other| other == visibility).unwrap_or(0);
-        let is_within = self.worst[place].part <= self.request.wrong_part;
+        let is_within = self.worst(visibility).part <= self.request.wrong_part;
         (is_convex || is_within) && !(self.has_holes && visibility.depth_bytes() == 0)
     }
 
@@ -194,12 +198,10 @@ impl Study {
     pub fn loads(&self, model: &Model, rows: u32) -> Vec<Load> {
         let [width, height] = self.request.display;
         let place = band_rows(height).iter().position(|&other| other == rows).unwrap_or(0);
-        let of = |work: &Work| {
-            // Tables for light of triangles have fewer vertices than those that were looked at.
-            let work = Work { vertices: model.positions.len() as u64, ..work.clone() };
-            Load::of(&work, width * height, height.div_ceil(rows), place)
-        };
-        self.work.iter().map(of).collect()
+        let (pixels, bands) = (width * height, height.div_ceil(rows));
+        // Tables for light of triangles have fewer vertices than those that were looked at.
+        let vertices = model.positions.len() as u64;
+        self.work.iter().map(|work| Load::of(work, vertices, [pixels, bands], place)).collect()
     }
 
     /// The Rust file of a renderer.
@@ -246,14 +248,12 @@ fn look(
     let sampling = coordinates.as_ref().map(|_| Sampling::default());
     let mut all = SeenInAll { sampling, ..SeenInAll::default() };
     for (number, view) in views.iter().enumerate() {
-        let seen = seen::look(&eye, request.core.subpixel(), view)?;
+        let seen = eye.look(request.core.subpixel(), view)?;
         for (worst, wrong) in all.worst.iter_mut().zip(seen.wrong) {
             let part = wrong as f64 / seen.shown.max(1) as f64;
-            let all = worst.all + wrong;
             if part > worst.part {
-                *worst = Worst { view: number, wrong, part, all };
+                *worst = Worst { view: number, wrong, part };
             }
-            worst.all = all;
         }
         if let (Some(coordinates), Some(sampling)) = (&coordinates, &mut all.sampling) {
             let mut pixels = vec![0; model.report.triangles];
@@ -279,11 +279,11 @@ impl Lens {
     /// One whose depth range holds the sphere around the model in all views: the closer its ends,
     /// the finer is depth.
     fn of(request: &Request, views: &[Placed], radius: f64) -> Result<Self, PlanError> {
-        within("the field of view", request.field_of_view_degrees, 1.0, 179.0)?;
+        checked("the field of view", request.field_of_view_degrees, 1.0, 179.0)?;
         let distances = || views.iter().map(|view| view.distance);
         let nearest = distances().fold(f64::INFINITY, f64::min);
         let farthest = distances().fold(0.0, f64::max);
-        within("the camera's distance", farthest, 0.0, 16_000.0)?;
+        checked("the camera's distance", farthest, 0.0, 16_000.0)?;
         // A Q16.16 has 2^-16; a hundredth of the radius keeps what rounding moves inside.
         let gap = nearest - radius;
         if gap < 0.02 * radius {
@@ -292,19 +292,12 @@ impl Lens {
         let range = [gap - 0.01 * radius, farthest + 1.01 * radius];
         let range = [(range[0] * 1e4).floor() / 1e4, (range[1] * 1e4).ceil() / 1e4];
         let [near, far] = range.map(|end| Distance::from_num(end));
-        let perspective = Perspective::new(turn(request.field_of_view_degrees), near, far)?;
+        let perspective = Perspective::new(angle(request.field_of_view_degrees), near, far)
+            .map_err(ViewError::from)?;
         // The farthest point on the screen of a sphere is no farther than its radius at its nearest
         // distance.
         let reach_px = request.focal_length_px() * radius / gap;
         Ok(Self { perspective, range, reach_px })
-    }
-}
-
-fn within(what: &'static str, value: f64, least: f64, most: f64) -> Result<(), PlanError> {
-    if (least..=most).contains(&value) {
-        Ok(())
-    } else {
-        Err(PlanError::OutOfRange { what, value, least, most })
     }
 }
 

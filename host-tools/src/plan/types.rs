@@ -42,6 +42,14 @@ impl Visibility {
         }
     }
 
+    /// The farthest depth of a buffer, as Rust.
+    pub(super) const fn farthest(self) -> &'static str {
+        match self {
+            Self::Float16 => "FloatDepth::FAR",
+            _ => "0",
+        }
+    }
+
     /// The bytes of a pixel's depth.
     #[must_use]
     pub const fn depth_bytes(self) -> u32 {
@@ -124,6 +132,9 @@ pub struct Types {
     pub clips: bool,
 }
 
+/// What decides which tables of a model are read.
+pub(super) type Tables = (bool, Paint);
+
 impl Types {
     /// All whose costs are measured; those of [others](super::Costs::of) follow from them.
     #[must_use]
@@ -201,6 +212,15 @@ impl Types {
             }
         }
         all
+    }
+
+    /// Which tables they read: how coordinates are corrected makes no difference.
+    pub(super) const fn tables(&self) -> Tables {
+        let paint = match self.paint {
+            Paint::Textures(_, texels) => Paint::Textures(Correction::Adaptive, texels),
+            paint => paint,
+        };
+        (self.is_smooth, paint)
     }
 
     /// Bytes of a vertex in memory: x, y, depth, and the varyings of the shader.

@@ -46,7 +46,7 @@ impl Inverse {
             let (a, b) = (&rows[(i + 1) % 3], &rows[(i + 2) % 3]);
             [0, 1, 2].map(|j| {
                 let (k, l) = ((j + 1) % 3, (j + 2) % 3);
-                a[k].times(b[l]).plus(negative(a[l].times(b[k])))
+                a[k].times(b[l]).plus(a[l].times(b[k]).negative())
             })
         });
         let parts = rows[0].iter().zip(&cofactors[0]).map(|(a, b)| a.times(*b));
@@ -70,7 +70,7 @@ impl Inverse {
         let way = parts.fold(Float::ZERO, Float::plus).times(self.per_magnitude);
         let length = self.lengths.get(column).copied().unwrap_or(Float::ZERO);
         let way = way.times(length.reciprocal());
-        if self.is_negative { way } else { negative(way) }
+        if self.is_negative { way } else { way.negative() }
     }
 
     /// At most as long as the shortest vector that N makes of one of length one: one over the
@@ -131,18 +131,14 @@ impl Inverse {
     }
 }
 
-const fn negative(x: Float) -> Float {
-    Float { mantissa: -x.mantissa, ..x }
-}
-
 const fn magnitude(x: Float) -> Float {
     Float { mantissa: x.mantissa.abs(), ..x }
 }
 
 fn larger(a: Float, b: Float) -> Float {
-    if a.plus(negative(b)).mantissa > 0 { a } else { b }
+    if b.is_below(a) { a } else { b }
 }
 
 fn smaller(a: Float, b: Float) -> Float {
-    if a.plus(negative(b)).mantissa > 0 { b } else { a }
+    if b.is_below(a) { b } else { a }
 }

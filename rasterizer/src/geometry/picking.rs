@@ -91,7 +91,7 @@ impl<P: Projection> Camera<P> {
             .axes()
             .map(|axis| Float::new(point.along(&axis).wrapping_sub(self.eye().along(&axis)), -46));
         let [near, far] = self.projection().range();
-        if is_less(z, near) || is_less(far, z) {
+        if z.is_below(near) || far.is_below(z) {
             return None;
         }
         let per_w = if P::IS_PARALLEL { Float::new(1, 0) } else { z.reciprocal() };
@@ -146,7 +146,7 @@ impl Ray {
         });
         // The height over the plane falls by the slope for each unit of the way.
         let (toward, height) = if slope > 0 {
-            (Float::new(slope, -46), Float { mantissa: -height.mantissa, ..height })
+            (Float::new(slope, -46), height.negative())
         } else {
             (Float::new(-slope, -46), height)
         };
@@ -165,8 +165,4 @@ impl Ray {
         }
         Some(Vec3::from_bits(place))
     }
-}
-
-fn is_less(a: Float, b: Float) -> bool {
-    a.plus(Float { mantissa: -b.mantissa, ..b }).mantissa < 0
 }

@@ -62,6 +62,15 @@ impl Float {
         Self::new(sum, unit)
     }
 
+    pub(crate) const fn negative(self) -> Self {
+        Self { mantissa: -self.mantissa, ..self }
+    }
+
+    /// Whether it is less than another, as exactly as [`plus`](Self::plus) is.
+    pub(crate) fn is_below(self, other: Self) -> bool {
+        self.plus(other.negative()).mantissa < 0
+    }
+
     /// The reciprocal of a positive number, within 2<sup>-29</sup>.
     #[inline(never)]
     pub(crate) const fn reciprocal(self) -> Self {

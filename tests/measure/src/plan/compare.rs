@@ -5,7 +5,7 @@ use std::{fs, path::Path, process::Command};
 use anyhow::{Context as _, Result, ensure};
 use host_tools::{
     model::{Options, write_atomically},
-    plan::{Candidate, Correction, Costs, Paint, Plan, Study},
+    plan::{Candidate, Correction, Costs, Paint, Plan, Study, Vertices},
 };
 use serde::{Deserialize, Serialize};
 
@@ -114,7 +114,7 @@ impl Compared {
             display: study.request.display,
             ram_bytes: study.request.ram_bytes,
             views: study.work.len(),
-            renderer: renderer(&plan, &study),
+            renderer: renderer(&plan),
             predicted: predicted(&plan, &study),
             measured,
             everything,
@@ -139,15 +139,15 @@ fn predicted(plan: &Plan, study: &Study) -> Figures {
 }
 
 /// The choices in a few words.
-fn renderer(plan: &Plan, study: &Study) -> String {
+fn renderer(plan: &Plan) -> String {
     let choice = |about: &str| {
         let found = plan.decisions.iter().find(|decision| decision.about == about);
         found.map(|decision| decision.choice.clone())
     };
     let light = choice("light").map(|light| format!("light {light}"));
-    let perspective = choice("perspective").filter(|_| study.request.texels > 0.0);
-    let vertices = choice("vertices").filter(|vertices| vertices != "kept for the frame");
-    let parts = [choice("visibility"), light, perspective, choice("memory"), vertices];
+    let is_stored = plan.chosen.types.vertices == Vertices::Stored;
+    let vertices = choice("vertices").filter(|_| !is_stored);
+    let parts = [choice("visibility"), light, choice("perspective"), choice("memory"), vertices];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 

@@ -66,8 +66,8 @@ fn solve<const N: usize>(gram: &[[f64; N]; N], right: &[f64; N], is_free: &[bool
         }
         rows.swap(done, row);
         let pivot = rows[done].clone();
-        for (place, row) in rows.iter_mut().enumerate().filter(|(place, _)| *place != done) {
-            let _ = place;
+        let (before, rest) = rows.split_at_mut(done);
+        for row in before.iter_mut().chain(rest.iter_mut().skip(1)) {
             let factor = row[column] / pivot[column];
             for (value, pivot) in row.iter_mut().zip(&pivot) {
                 *value -= factor * pivot;
