@@ -29,7 +29,7 @@ not that of --distance the camera's distance; # begins a comment.
 Use the file as a module of the firmware (`mod scene;`), give its memory to a static and draw:
 
   static MEMORY: ConstStaticCell<scene::Memory> = ConstStaticCell::new(scene::Memory::EMPTY);
-  ...
+  let memory = MEMORY.take();
   scene::draw(&mut display, memory, step)?;
 
 Flash and RAM are those of the picture alone, in a program compiled for speed (opt-level 3) with LTO.
