@@ -40,6 +40,7 @@ mod pictures;
 mod placement;
 mod placement_table;
 mod points;
+mod scenes;
 mod scissor;
 mod seam;
 #[cfg(not(rasterizer_narrow))]

@@ -15,6 +15,7 @@
 
 mod clip;
 mod clip_planes;
+mod extent;
 mod facing;
 mod inverse;
 mod lens;

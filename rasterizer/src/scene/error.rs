@@ -24,6 +24,11 @@ pub enum ProjectError {
         /// The number of words that they take.
         needed: usize,
     },
+    /// There is room for the rows of fewer objects than a scene has.
+    RowStorage {
+        /// The number of its objects.
+        needed: usize,
+    },
     /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
     NoVertexNormals,
     /// The shader reads normals of triangles, and the mesh has none: convert the model with them.
@@ -56,6 +61,9 @@ impl core::fmt::Display for ProjectError {
             }
             Self::SortStorage { needed } => {
                 write!(f, "sorting the triangles from back to front takes {needed} words")
+            }
+            Self::RowStorage { needed } => {
+                write!(f, "the scene needs storage for the rows of {needed} objects")
             }
             Self::NoVertexNormals => {
                 f.write_str("the shader needs vertex normals, which the mesh was converted without")

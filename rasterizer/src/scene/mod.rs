@@ -1,7 +1,7 @@
 //! Objects, and the two steps of drawing one: project its vertices, then draw its triangles.
 //!
-//! For a frame of several objects call [`Object::draw`] once for each; each call is compiled for
-//! its shader. Where the frame is drawn in bands, [`Object::project`] does the work on the vertices
+//! For a frame of several objects call [`Object::draw`] once for each, or put them into a [`Scene`],
+//! which is drawn by one call, in bands too; all is compiled for their shaders. Where the frame is drawn in bands, [`Object::project`] does the work on the vertices
 //! once, [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`]
 //! is called for each band. [`Projected::back_to_front`] sorts triangles for objects that are
 //! blended, [`Painter`] those of several objects. [`Object::project_on_demand`] needs no storage
@@ -17,7 +17,9 @@
 
 mod back_to_front;
 mod bins;
+mod contents;
 mod error;
+mod levels;
 mod lines;
 mod mode;
 mod needs;
@@ -26,6 +28,7 @@ mod painter;
 mod points;
 mod projected;
 mod seen;
+mod several;
 mod smooth_lines;
 mod sort;
 mod style;
@@ -33,7 +36,9 @@ mod vertices;
 
 pub use back_to_front::BackToFront;
 pub use bins::{Bins, bin_words};
+pub use contents::{Contents, DrawContents, Each, each};
 pub use error::{DrawError, ProjectError};
+pub use levels::Levels;
 pub use lines::ProjectedLines;
 pub use mode::{Mode, Modes};
 pub use needs::Needs;
@@ -41,6 +46,7 @@ pub use order::{MeshOrder, Order};
 pub use painter::{DrawnInto, Objects, Painter};
 pub use points::ProjectedPoints;
 pub use projected::Projected;
+pub use several::{RowRange, Scene};
 pub use smooth_lines::SmoothLines;
 pub use vertices::{OnDemand, Vertices};
 

@@ -4,7 +4,7 @@ use core::{array, convert::Infallible, ops::Range};
 
 use heapless::Vec;
 
-use super::{MeshOrder, Mode, Object, Vertices, order::Sequence, vertices::Lookup};
+use super::{MeshOrder, Mode, Object, RowRange, Vertices, order::Sequence, vertices::Lookup};
 use crate::{
     attribute::{DepthFormat, Interpolate},
     camera::Camera,
@@ -144,6 +144,15 @@ where
     Sh: Shader,
     M: Mode,
 {
+    /// The rows of the viewport that the object may reach.
+    pub(super) fn rows(&self) -> RowRange {
+        if self.is_outside_view {
+            return RowRange::EMPTY;
+        }
+        let rows = self.transform.rows_of::<V::Subpixel>(self.mesh.bounds(), &self.viewport);
+        RowRange::new(rows, self.viewport.top)
+    }
+
     /// Visits the triangles that may touch pixels of the viewport, with the smallest window round
     /// the centres inside them. A triangle that is clipped may be visited several times.
     pub(super) fn for_each_touching(&self, mut visit: impl FnMut(usize, &Window)) {
