@@ -7,7 +7,7 @@ use embedded_graphics_core::{
     draw_target::DrawTarget,
     geometry::{Dimensions, Point, Size},
     pixelcolor::PixelColor,
-    primitives::Rectangle,
+    primitives::{PointsIter as _, Rectangle},
 };
 
 use super::{
@@ -405,6 +405,30 @@ impl<C: StoredColor + PixelColor, B: DepthBuffer, R: Rows> DrawTarget for Frame<
                 let address = self.layout.row_address(row);
                 let run = address.wrapping_add(left) as usize..address.wrapping_add(right) as usize;
                 fill.run(self.color.get_mut(run).unwrap_or_default());
+            }
+        }
+        Ok(())
+    }
+
+    fn fill_contiguous<I: IntoIterator<Item = C>>(
+        &mut self,
+        area: &Rectangle,
+        colors: I,
+    ) -> Result<(), Infallible> {
+        let all = Window::new(area);
+        let inside = all.intersection(&self.window());
+        let mut colors = colors.into_iter();
+        if inside != all {
+            return self
+                .draw_iter(area.points().zip(colors).map(|(place, color)| Pixel(place, color)));
+        }
+        for row in inside.top..inside.bottom {
+            let address = self.layout.row_address(row);
+            let run = address.wrapping_add(inside.left) as usize
+                ..address.wrapping_add(inside.right) as usize;
+            for pixel in self.color.get_mut(run).unwrap_or_default() {
+                let Some(color) = colors.next() else { return Ok(()) };
+                *pixel = color;
             }
         }
         Ok(())

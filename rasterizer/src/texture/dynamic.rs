@@ -82,6 +82,13 @@ impl<F: Texels, X: Wrap, Y: Wrap> DynamicTexture<F, X, Y> {
     }
 }
 
+impl<F, X, Y> DynamicTexture<F, X, Y> {
+    /// Its sides.
+    pub(super) const fn grid(&self) -> &Grid {
+        &self.grid
+    }
+}
+
 impl<F: Texels, X: Wrap, Y: Wrap> TexelMap for DynamicTexture<F, X, Y> {
     type Texels = F;
     type Place = Place<MAX_SIDE, MAX_SIDE, X, Y>;

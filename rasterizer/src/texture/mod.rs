@@ -44,6 +44,7 @@
 
 mod colors;
 mod coordinates;
+mod drawable;
 mod dynamic;
 mod filter;
 mod footprint;
