@@ -6,7 +6,7 @@ use std::{
     env,
     fmt::Debug,
     fs,
-    io::BufReader,
+    io::{BufRead, BufReader, Cursor, Seek},
     path::{Path, PathBuf},
 };
 
@@ -80,6 +80,7 @@ examples! {
     vertex_colors = "../examples/vertex_colors.rs",
     viewports = "../examples/viewports.rs",
     visibility = "../examples/visibility.rs",
+    walk = "../examples/walk.rs",
     wireframe = "../examples/wireframe.rs",
 }
 
@@ -97,10 +98,9 @@ fn check<E: Debug>(name: &str, drawn: &[u8], png: impl FnOnce() -> Result<Vec<u8
         fs::write(&path, png().expect("a picture")).expect("the pictures can be written");
     }
     let kept = fs::File::open(&path).expect("the example's picture is kept");
-    let mut reader = png::Decoder::new(BufReader::new(kept)).read_info().expect("a PNG file");
-    let mut bytes = vec![0; reader.output_buffer_size().expect("its size")];
-    reader.next_frame(&mut bytes).expect("its pixels");
-    let (drawn, kept) = (drawn.as_chunks::<3>().0, bytes.as_chunks::<3>().0);
+    let kept = frames(BufReader::new(kept));
+    assert_eq!(kept.len(), 1, "{} moves", path.display());
+    let (drawn, kept) = (drawn.as_chunks::<3>().0, kept[0].as_chunks::<3>().0);
     let different = drawn.iter().zip(kept).filter(|(drawn, kept)| drawn != kept).count();
     assert!(
         different == 0 && drawn.len() == kept.len(),
@@ -108,6 +108,33 @@ fn check<E: Debug>(name: &str, drawn: &[u8], png: impl FnOnce() -> Result<Vec<u8
          draws; `{UPDATE}=1 cargo test -p rasterizer --test examples` keeps it",
         path.display(),
     );
+}
+
+/// Red, green and blue of all pixels of each frame of a PNG file.
+fn frames(file: impl BufRead + Seek) -> Vec<Vec<u8>> {
+    let mut reader = png::Decoder::new(file).read_info().expect("a PNG file");
+    let count = reader.info().animation_control().map_or(1, |animation| animation.num_frames);
+    let size = reader.output_buffer_size().expect("its size");
+    let frame = |_| {
+        let mut bytes = vec![0; size];
+        reader.next_frame(&mut bytes).expect("its pixels");
+        bytes
+    };
+    (0..count).map(frame).collect()
+}
+
+/// The moving picture of the documentation has all frames as they are drawn.
+#[test]
+fn the_walk_moves() {
+    let path = folder().join("pictures/walk_moving.png");
+    let drawn = walk::moving_picture().expect("the walk is drawn");
+    if env::var_os(UPDATE).is_some() {
+        fs::write(&path, &drawn).expect("the pictures can be written");
+    }
+    let kept = fs::read(&path).expect("the moving picture is kept");
+    let [drawn, kept] = [drawn, kept].map(|file| frames(Cursor::new(file)));
+    assert!(drawn.len() == 24 && drawn[0] != drawn[12], "it moves");
+    assert!(drawn == kept, "`{UPDATE}=1 cargo test -p rasterizer --test examples` keeps it");
 }
 
 /// Cargo finds examples by their files; this test's list and the README's tables are written.

@@ -79,12 +79,17 @@ impl DrawTarget for Screen {
 pub(crate) fn run(draw: impl FnOnce(&mut Screen) -> Result) -> Result {
     let mut screen = Screen::default();
     draw(&mut screen)?;
+    write(env!("CARGO_CRATE_NAME"), &screen.png()?)
+}
+
+/// Writes a picture into that folder.
+pub(crate) fn write(name: &str, png: &[u8]) -> Result {
     let program = env::current_exe()?;
     let target = program.ancestors().nth(3).ok_or("the program is not in the folder of a build")?;
-    let file =
-        target.join("examples-pictures").join(env!("CARGO_CRATE_NAME")).with_extension("png");
-    fs::create_dir_all(target.join("examples-pictures"))?;
-    fs::write(&file, screen.png()?)?;
+    let folder = target.join("examples-pictures");
+    fs::create_dir_all(&folder)?;
+    let file = folder.join(name).with_extension("png");
+    fs::write(&file, png)?;
     println!("{}", file.display());
     Ok(())
 }

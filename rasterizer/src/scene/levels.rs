@@ -57,12 +57,18 @@ impl<'a, const N: usize> Levels<'a, N> {
         Self { levels }
     }
 
-    /// The level for a model in this pose, by the way from the camera to the model's origin; `None`
-    /// beyond the last. A model of twice the size is seen twice as far.
+    /// The mesh of the [level](Self::level) for a model in this pose; `None` beyond the last.
+    #[must_use]
+    pub fn mesh<P: Projection>(&self, pose: &Pose, camera: &Camera<P>) -> Option<&'a Mesh<'a>> {
+        self.level(pose, camera).and_then(|level| self.levels.get(level)).map(|(_, mesh)| *mesh)
+    }
+
+    /// The number of the level, from 0, for a model in this pose, by the way from the camera to the
+    /// model's origin; `None` beyond the last. A model of twice the size is seen twice as far.
     ///
     /// The way is exact within 2<sup>-12</sup>; the camera's direction and its lens do not matter.
     #[must_use]
-    pub fn mesh<P: Projection>(&self, pose: &Pose, camera: &Camera<P>) -> Option<&'a Mesh<'a>> {
+    pub fn level<P: Projection>(&self, pose: &Pose, camera: &Camera<P>) -> Option<usize> {
         let [from, to] = [camera.eye(), pose.translation].map(|place| place.to_bits());
         // In units of 2^-14: each below 2^31, and the sum of their squares below 2^64.
         let square: u64 = (0..3)
@@ -74,7 +80,7 @@ impl<'a, const N: usize> Levels<'a, N> {
             let limit = (u64::from(limit.to_bits()) * scale) >> (16 + DROPPED_BITS);
             square <= limit.min(u64::from(u32::MAX)).pow(2)
         };
-        self.levels.iter().find(|(limit, _)| is_within(*limit)).map(|(_, mesh)| *mesh)
+        self.levels.iter().position(|(limit, _)| is_within(*limit))
     }
 }
 
