@@ -16,7 +16,8 @@ use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 use rasterizer::output::Bands;
 use world::{BAND_ROWS, FRAMES, SCREEN, Storage};
 
-/// Draws a frame: 16 rows of 240 pixels with depth take 15 KB, the vertices and rows 3 KB.
+/// Draws a frame: 32 rows of 240 pixels with depth take 30 KB, the rocket's vertices and the rows
+/// of all objects 10 KB.
 fn draw_frame(frame: u32, screen: &mut Screen) -> Result {
     let mut storage = Storage::EMPTY;
     let mut color = [Rgb565::BLACK; 240 * BAND_ROWS];

@@ -236,17 +236,16 @@
 //!
 //! * Coloured light, normal maps, highlights on textures; shadows other than
 //!   [on a plane](geometry::PlanarShadow), by a far light, and blobs.
-//! * Antialiasing other than by [supersampling](output::Supersampled); points.
+//! * Antialiasing of triangles other than by [supersampling](output::Supersampled).
 //! * Textures over 1,024 texels wide or high, and anisotropic filters.
-//! * Sorting the triangles of several objects together: objects that are blended or drawn without
-//!   depth are drawn in the order of the calls. Bins of triangles that are sorted from back to
-//!   front.
+//! * Bins of triangles that are sorted from back to front.
 //! * Mirrors that show what lies before them, other than by a second object in a matrix.
 //! * Controllers of cameras that roll; [`Camera::at`](camera::Camera::at) has any rotation.
 //! * Texture coordinates of an [`Icosphere`](mesh::shapes::Icosphere).
 //! * Viewports over 2,048 pixels wide or high; meshes of over 65,536 vertices.
-//! * Vertices kept across the bands of a frame for several objects in one storage: each has its
-//!   own, or none ([`Object::project_on_demand`](scene::Object::project_on_demand)).
+//! * One storage for vertices of different types that are kept across the bands of a frame: each
+//!   object has its own, or none ([`Object::project_on_demand`](scene::Object::project_on_demand),
+//!   [`Scene`](scene::Scene)).
 //!
 //! # Features
 //!

@@ -31,6 +31,7 @@ macro_rules! examples {
 }
 
 examples! {
+    backgrounds = "../examples/backgrounds.rs",
     bands = "../examples/bands.rs",
     billboards = "../examples/billboards.rs",
     blending = "../examples/blending.rs",

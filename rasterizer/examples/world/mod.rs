@@ -35,7 +35,7 @@ pub(crate) const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(240
 /// The part of it that has the map.
 const MAP: Rectangle = Rectangle::new(Point::new(172, 172), Size::new(64, 64));
 /// The rows of a band.
-pub(crate) const BAND_ROWS: usize = 16;
+pub(crate) const BAND_ROWS: usize = 32;
 /// The frames of the walk, round the rocket and back to where it began.
 pub(crate) const FRAMES: u32 = 24;
 
@@ -46,6 +46,7 @@ const SKY: VerticalGradient<Rgb565> =
 /// Within a texel.
 const TEXEL: Adaptive<16> = Adaptive;
 const SHADOW: Rgb888 = Rgb888::new(52, 76, 38);
+const DARK_GREEN: Rgb888 = Rgb888::new(48, 106, 60);
 const RED: Rgb888 = Rgb888::new(200, 60, 50);
 const MAP_COLOR: Rgb565 = Rgb565::new(17, 44, 13);
 const TRUNK_SIZE: Distance = Distance::lit("0.16");
@@ -233,11 +234,15 @@ pub(crate) fn draw<D: DrawTarget<Color = Rgb565>>(
     let contents = (&ground, shadow_of(&ROCKET, pose), trees, &rocket);
     let world = Scene::new(contents, &walker, S4, &mut storage.rows)?;
 
-    // The map has the trees as they are seen from above, and a spot for the rocket.
-    let trees = each(&TREES, |&(place, size)| {
-        Object::new(&COARSE_CROWN, Unlit::new()).posed(Pose::IDENTITY.at(place).scaled(size))
-    });
-    let middle = Object::new(&FINE_CROWN, Recolored::new(Unlit::new(), RED));
+    // The map has the trees as they are seen from above, and a red spot for the rocket. Nothing of
+    // it is near the camera, so that no triangle is clipped.
+    let spot = |color, place, size| {
+        let pose = Pose::IDENTITY.at(place).scaled(size);
+        let shader = Recolored::new(Unlit::new(), color);
+        Object::new(&COARSE_CROWN, shader).posed(pose).clipped(ClipNone)
+    };
+    let trees = each(&TREES, |&(place, size)| spot(DARK_GREEN, place, size));
+    let middle = spot(RED, Vec3::ZERO, Distance::ONE);
     let mut map_rows = [RowRange::EMPTY; TREES.len() + 1];
     let map = Scene::new((trees, middle), &above, S4, &mut map_rows)?;
 

@@ -1,11 +1,12 @@
 //! Objects, and the two steps of drawing one: project its vertices, then draw its triangles.
 //!
-//! For a frame of several objects call [`Object::draw`] once for each, or put them into a [`Scene`],
-//! which is drawn by one call, in bands too; all is compiled for their shaders. Where the frame is drawn in bands, [`Object::project`] does the work on the vertices
-//! once, [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`]
-//! is called for each band. [`Projected::back_to_front`] sorts triangles for objects that are
-//! blended, [`Painter`] those of several objects. [`Object::project_on_demand`] needs no storage
-//! for vertices. [`Needs`] gives the length of every buffer at compile time.
+//! For a frame of several objects call [`Object::draw`] once for each, or put them into a
+//! [`Scene`], which is drawn by one call, in bands too; all is compiled for their shaders. Where
+//! the frame is drawn in bands, [`Object::project`] does the work on the vertices once,
+//! [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`] is
+//! called for each band. [`Projected::back_to_front`] sorts triangles for objects that are blended,
+//! [`Painter`] those of several objects. [`Object::project_on_demand`] needs no storage for
+//! vertices. [`Needs`] gives the length of every buffer at compile time.
 //!
 //! # Stack discipline
 //!

@@ -197,6 +197,15 @@ impl<D: Depth, B> OnTargets<D> for B where
 }
 
 impl<const SET_UP: bool> Cost<SET_UP> {
+    /// Adds a frame that fills the display and is drawn by one call, as a whole.
+    pub fn add_whole<T>(&mut self, size: Size, work: impl FnOnce() -> T) -> T {
+        self.frames += 1;
+        let pixels = u64::from(size.width) * u64::from(size.height);
+        self.pixels_drawn += pixels;
+        self.pixels_changed += pixels;
+        timed(Stage::Draw, &mut self.draw, work)
+    }
+
     /// Adds a whole frame of a colour other than [`Rgb565Be`].
     pub fn add_frame<
         F: InMemory,

@@ -20,3 +20,4 @@ pub mod scaling;
 pub mod shiny;
 pub mod sizes;
 pub mod surface;
+pub mod walk;

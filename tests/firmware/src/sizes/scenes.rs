@@ -34,6 +34,7 @@ use super::{
 #[cfg(models)]
 use crate::models::SPOT;
 use crate::models::{BALL, CUBE, SPHERE};
+pub use crate::walk::Walk;
 
 /// The pixels of a band of a picture of 240 columns.
 pub(super) const NARROW: usize = 240 * ROWS as usize;

@@ -141,8 +141,8 @@ impl Row<'_> {
 impl Figures for Scenes {
     const FILE: &str = "speed.json";
     const TITLE: &str = "Speed";
-    /// Each bench program before the one that measures its set-up alone. The set-up of the last two
-    /// is not measured alone: compiling their many scenes once more takes too long.
+    /// Each bench program before the one that measures its set-up alone. The set-up of the last
+    /// three is not measured alone: compiling their many scenes once more takes too long.
     const PROGRAMS: &[&str] = &[
         "bench",
         "bench_set_up",
@@ -150,6 +150,7 @@ impl Figures for Scenes {
         "bench_frugal_set_up",
         "bench_textures",
         "bench_shades",
+        "bench_walk",
     ];
 
     const LEGEND: &str = "\
@@ -182,7 +183,8 @@ are those of an OLED. *lines* are the edges of its faces, and *drawn* counts the
 antialiased, one pixel wide. *points* are its vertices, 3 x 3 pixels each. *scissored* draws in the
 right half of the picture. *painter* draws from back to front, without depth. *layers* are six
 spheres one behind the other, the farthest drawn first; *deferred*, a visibility buffer is drawn,
-and each visible pixel is shaded once. *sent* is drawn in bands and sent to a display, *2x2* and
+and each visible pixel is shaded once. *walk* is the world of `rasterizer/examples/walk.rs` on 240 x 240
+pixels, with all that is sent, the mean of 24 frames. *sent* is drawn in bands and sent to a display, *2x2* and
 *4x4* with as many samples a pixel. The *pixels* of *layers* have their vertices too.";
 
     fn parse(outputs: &[Output]) -> Result<Self> {
