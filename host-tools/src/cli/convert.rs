@@ -15,6 +15,7 @@ use super::{
     Done,
     output::{self, Kind, Overwriting},
     progress::Progress,
+    reduction::Reduction,
     smoothing::Smoothing,
     textures::{TextureArguments, TextureJson},
     view::within,
@@ -34,6 +35,7 @@ Examples:
   host-tools convert model.obj --texture-size 64x64 --texture-format indexed4 --mipmaps
   host-tools convert model.obj --no-textures         Only colours
   host-tools convert model.obj --edges 30            Also its edges, for a wireframe
+  host-tools convert model.obj --simplify 500        At most 500 triangles, and what that costs
   host-tools convert model.obj --json | jq .flash
   export | host-tools convert - -o - > model.rs       Standard input and output
 
@@ -60,6 +62,8 @@ pub(super) struct Arguments {
     keep_units: bool,
     #[command(flatten)]
     smoothing: Smoothing,
+    #[command(flatten)]
+    reduction: Reduction,
     /// Turn over faces that run against their neighbours, and closed parts that are inside out
     #[arg(long)]
     fix_winding: bool,
@@ -99,6 +103,7 @@ impl Arguments {
         Options {
             fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
             fix_winding: self.fix_winding,
+            simplify: self.reduction.simplify,
             edges_degrees: self.edges,
             contents: Contents {
                 vertex_normals: matches!(self.normals, Normals::Vertex | Normals::Both),

@@ -8,6 +8,7 @@ mod output;
 mod plan;
 mod png;
 mod progress;
+mod reduction;
 mod render;
 mod showcase;
 mod signals;

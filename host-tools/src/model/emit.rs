@@ -66,10 +66,12 @@ fn options(model: &Model) -> String {
     .collect();
     let tables = if tables.is_empty() { "none".to_owned() } else { tables.join(", ") };
     let winding = if options.fix_winding { "winding mended, " } else { "" };
+    let most = (options.simplify)
+        .map_or_else(String::new, |most| format!("at most {} triangles, ", thousands(most)));
     let fit = options.fit;
     let groups = if model.report.smoothing_groups { "smoothing groups, " } else { "" };
     let crease = options.crease_degrees;
-    format!("{fit}, {groups}a crease angle of {crease} degrees, {winding}contents: {tables}")
+    format!("{fit}, {groups}a crease angle of {crease} degrees, {winding}{most}contents: {tables}")
 }
 
 fn mesh(out: &mut String, model: &Model) -> std::fmt::Result {

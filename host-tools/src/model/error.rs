@@ -92,10 +92,24 @@ pub enum ModelError {
         /// How many faces there are.
         faces: usize,
     },
+    /// [`Options::simplify`](super::Options::simplify) is less than what can be reached.
+    #[error(
+        "{} cannot be simplified to {most} triangles: {least} are the fewest that keep its shape \
+         and the borders of its materials: allow as many, or use fewer materials",
+        shown(.path)
+    )]
+    TooFewTriangles {
+        /// The file.
+        path: PathBuf,
+        /// The most that there may be.
+        most: usize,
+        /// The fewest that are reached.
+        least: usize,
+    },
     /// The vertices do not fit indices of 16 bits.
     #[error(
         "{} needs {count} vertices, more than the 65,536 that 16-bit indices can name: \
-         simplify the model, split it into several, raise the crease angle, or leave out normals \
+         simplify the model (`--simplify`), split it into several, raise the crease angle, or leave out normals \
          or texture coordinates",
         shown(.path)
     )]

@@ -58,17 +58,19 @@ pub(super) fn has_no_size(positions: &[Vector]) -> bool {
     positions.iter().all(|p| *p == positions[0])
 }
 
-/// Applies a fit. `original` are the file's positions, `shape` those of [`to_common_size`].
+/// Applies a fit. `original` are the file's positions, `shape` those of [`to_common_size`]. The
+/// positions of `frame`, of the same size as these, fill the unit sphere.
 pub(super) fn fit(
     path: &Path,
     original: &[Vector],
     shape: &[Vector],
+    frame: &[Vector],
     fit: Fit,
 ) -> Result<Fitted, ModelError> {
     match fit {
         Fit::Unit => {
-            let center = center(shape);
-            let radius = shape.iter().fold(0.0, |m: f64, &p| m.max(length(sub(p, center))));
+            let center = center(frame);
+            let radius = frame.iter().fold(0.0, |m: f64, &p| m.max(length(sub(p, center))));
             let unit = (center, radius);
             Ok(Fitted {
                 positions: shape.iter().map(|&p| in_unit_sphere(p, unit)).collect(),
@@ -122,7 +124,8 @@ mod tests {
     use super::*;
 
     fn kept(positions: &[Vector]) -> Result<Fitted, ModelError> {
-        fit(Path::new("m.obj"), positions, &to_common_size(positions), Fit::Keep)
+        let shape = to_common_size(positions);
+        fit(Path::new("m.obj"), positions, &shape, &shape, Fit::Keep)
     }
 
     #[test]
@@ -133,7 +136,7 @@ mod tests {
             let common = to_common_size(&original);
             let m = common.iter().fold(0.0, |m: f64, &p| m.max(largest(p)));
             assert!((1.0..2.0).contains(&m), "{size}: {m}");
-            let fitted = fit(Path::new("m.obj"), &original, &common, Fit::Unit).unwrap();
+            let fitted = fit(Path::new("m.obj"), &original, &common, &common, Fit::Unit).unwrap();
             let radius = fitted.positions.iter().fold(0.0, |m: f64, &p| m.max(length(p)));
             assert!((radius - 1.0).abs() < 1e-15, "{size}: {radius}");
             let (min, max) = bounds(&fitted.positions);

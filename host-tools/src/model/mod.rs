@@ -4,7 +4,7 @@
 //! normals it lacks, merges equal vertices, fits and quantises them, and orders the triangles for
 //! vertex reuse. [`emit::source`] writes the result as Rust; [`convert_for_build`] does all of it
 //! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
-//! values before rounding.
+//! values before rounding. With [`Options::simplify`] fewer triangles are left.
 //!
 //! The converter reads positions, normals, texture coordinates, faces, lines, points, diffuse
 //! colours, textures and finishes of an OBJ file, the colours of its vertices (`v x y z r g b`),
@@ -33,6 +33,7 @@ mod polygons;
 mod quantize;
 mod quote;
 mod report;
+mod simplify;
 mod slivers;
 mod smoothing;
 mod source;
@@ -61,7 +62,7 @@ pub use error::{LineFault, ModelError};
 pub use faces::{Face, Faces};
 pub use options::{Contents, Fit, Options};
 pub use quote::printable;
-pub use report::{Flash, Report, thousands};
+pub use report::{Flash, Report, Simplification, thousands};
 pub use texture_coordinates::TextureTable;
 pub use textures::{
     AlphaFormat, ColorFormat, Picture, TexelFormat, Texture, TextureOptions, TextureWrap, Textures,
@@ -239,9 +240,11 @@ impl Model {
         };
         let mut libraries = libraries::load(path, &checked, options.contents, pictures);
         let mut polygons = polygons::read(path, &checked, &libraries)?;
-        at_most_16_bits(path, polygons.positions.len())?;
+        if options.simplify.is_none() {
+            at_most_16_bits(path, polygons.positions.len())?;
+        }
 
-        let shape = fit::to_common_size(&polygons.positions);
+        let mut shape = fit::to_common_size(&polygons.positions);
         if fit::has_no_size(&shape) {
             return Err(ModelError::NoSize { path: path.into() });
         }
@@ -251,6 +254,41 @@ impl Model {
         }
         checked.warnings.extend(winding.warning(path, options.fix_winding));
         let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
+        let normals = |corners: &mut [Triangle], shape: &[Vector]| {
+            if !options.smoothing_groups {
+                corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
+            }
+            if options.contents.vertex_normals {
+                smoothing::corner_normals(corners, shape, degrees.to_radians())
+            } else {
+                Vec::new()
+            }
+        };
+        let follows_groups = options.smoothing_groups
+            && options.contents.vertex_normals
+            && smoothing::matters(&corners);
+        let (mut frame, mut simplification) = (None, None);
+        if let Some(most) = options.simplify {
+            let is_textured = pictures == Pictures::Kept || options.contents.texture_coordinates;
+            let found = simplify::simplify(
+                path,
+                (&polygons, &shape),
+                (&corners, &normals(&mut corners.clone(), &shape)),
+                (options.contents, is_textured),
+                most,
+            )?;
+            if let Some(simplified) = found {
+                frame = Some(used(&polygons, &corners, &shape));
+                checked.face_lines =
+                    simplify::lines_of(&polygons, &checked.face_lines, &simplified);
+                shape = simplified.kept.iter().map(|&i| shape[i as usize]).collect();
+                polygons = simplified.polygons;
+                simplification = Some(simplified.report);
+                checked.warnings.extend(simplified.warning);
+                (corners, _) = triangulate::triangulate(&polygons, &shape);
+            }
+            at_most_16_bits(path, polygons.positions.len())?;
+        }
         // The largest of what is no longer needed: of a million triangles 200 MB.
         let all = std::mem::take(&mut polygons.corners);
         let file_textures = faces::texture_coordinates(&all, checked.textured_corners);
@@ -295,14 +333,7 @@ impl Model {
         let finishes: Vec<Finish> = used.iter().map(|&(id, _)| libraries.finish(id)).collect();
         let is_matte = finishes.iter().all(|&finish| finish == Finish::MATTE);
         let finishes = if is_matte { Vec::new() } else { finishes };
-        if !options.smoothing_groups {
-            corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
-        }
-        let normals = if options.contents.vertex_normals {
-            smoothing::corner_normals(&corners, &shape, degrees.to_radians())
-        } else {
-            Vec::new()
-        };
+        let normals = normals(&mut corners, &shape);
         let welded = weld::weld(&corners, &normals, &polygons, options.contents);
 
         let mut tables = order::Ordered::new(welded, &materials);
@@ -313,7 +344,8 @@ impl Model {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
         let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
-        let fitted = fit::fit(path, &original, &shape, options.fit)?;
+        let frame = frame.as_ref().unwrap_or(&shape);
+        let fitted = fit::fit(path, &original, &shape, frame, options.fit)?;
         let faces = Faces {
             texture_coordinates: file_textures,
             vertex_colors: faces::vertex_colors(&polygons, &colors),
@@ -389,7 +421,8 @@ impl Model {
                 points,
                 dropped_triangles,
                 turned_faces: if options.fix_winding { winding.turned() } else { 0 },
-                smoothing_groups: options.contents.vertex_normals && smoothing::matters(&corners),
+                simplification,
+                smoothing_groups: follows_groups,
                 cache_misses_before: tables.cache_misses_before,
                 cache_misses: tables.cache_misses,
                 ..Report::default()
@@ -472,6 +505,14 @@ fn at_most_16_bits(path: &Path, count: usize) -> Result<(), ModelError> {
     } else {
         Err(ModelError::TooManyVertices { path: path.into(), count })
     }
+}
+
+/// The places of all corners of triangles, and of the ends of lines and points.
+fn used(polygons: &Polygons, triangles: &[Triangle], shape: &[Vector]) -> Vec<Vector> {
+    let corners = triangles.iter().flat_map(|triangle| triangle.corners).map(|c| c.position);
+    let lines = polygons.lines.iter().flat_map(|line| line.vertices).map(|end| end.position);
+    let points = polygons.points.iter().flat_map(|point| point.vertices).map(|end| end.position);
+    corners.chain(lines).chain(points).map(|position| shape[position as usize]).collect()
 }
 
 /// Sorts triangles by material, in the order in which materials are first used, and those of lines

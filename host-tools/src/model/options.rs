@@ -19,6 +19,11 @@ pub struct Options {
     /// crease angle: faces of a group are smooth, those of none flat. Faces that no `s` precedes
     /// follow the crease angle.
     pub smoothing_groups: bool,
+    /// The most triangles; `None` for all that the file has. Fewer are chosen so that the surface,
+    /// its normals, texture coordinates and colours change little, and the model keeps its place
+    /// and its size: [`Report::simplification`](super::Report::simplification) has how far the
+    /// surface moves. Normals are computed before.
+    pub simplify: Option<usize>,
     /// Whether edges become lines: those in which faces meet at this angle in degrees or more, from
     /// 0 for all to 180, and those of one face alone.
     pub edges_degrees: Option<f64>,
@@ -32,14 +37,15 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, the default
-    /// contents, no edges, textures, the name of the file.
+    /// Unit fit, smoothing groups, a crease angle of 60 degrees, winding as it is, all triangles,
+    /// the default contents, no edges, textures, the name of the file.
     fn default() -> Self {
         Self {
             fit: Fit::default(),
             crease_degrees: 60.0,
             fix_winding: false,
             smoothing_groups: true,
+            simplify: None,
             edges_degrees: None,
             contents: Contents::default(),
             textures: Some(TextureOptions::default()),

@@ -13,6 +13,7 @@ mod elements;
 mod large;
 mod reading;
 mod shipped;
+mod simplify;
 mod smoothing;
 mod textures;
 mod vertex_colors;

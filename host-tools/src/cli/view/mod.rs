@@ -27,7 +27,7 @@ pub(super) use self::{
     names::{choice, numbers, within},
     settings::Settings,
 };
-use super::{smoothing::Smoothing, textures::TextureArguments};
+use super::{reduction::Reduction, smoothing::Smoothing, textures::TextureArguments};
 
 /// The view: from a point on the z axis toward the origin, about which the model is turned.
 #[derive(Clone, Debug, Args)]
@@ -49,6 +49,8 @@ pub(super) struct ViewOptions {
     lights: LightOptions,
     #[command(flatten)]
     smoothing: Smoothing,
+    #[command(flatten)]
+    reduction: Reduction,
     /// Turn over faces that run against their neighbours, and closed parts that are inside out
     #[arg(long)]
     fix_winding: bool,
@@ -86,6 +88,11 @@ impl ViewOptions {
         if let Some(textures) = &mut textures {
             textures.mipmaps |= self.surface.filter.reads_levels();
         }
-        Options { fix_winding: self.fix_winding, textures, ..self.smoothing.options() }
+        Options {
+            fix_winding: self.fix_winding,
+            simplify: self.reduction.simplify,
+            textures,
+            ..self.smoothing.options()
+        }
     }
 }

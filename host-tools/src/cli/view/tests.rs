@@ -112,6 +112,7 @@ fn silly_values_are_refused_by_name() {
             "--fog",
             &["", "exp", "exp:", "exp:-1", "exp:nan", "linear:1", "linear:2:2", "linear:3:1", "3"],
         ),
+        ("--simplify", &["0", "-1", "1.5", "", "many"]),
         ("--fog-by", &["pixel", "face"]),
         ("--clip", &["", "1,0,0", "0,0,0,1", "1,0,0,1,1", "nan,0,1,0", "1e9,0,0,0", "1,0,0,1e9"]),
         ("--clip-in", &["view", "model"]),
