@@ -75,13 +75,18 @@ impl Recorder<'_> {
     fn put(&self, at: Point, stored: Rgb888, (new, alpha): (Rgb888, Alpha)) -> Rgb888 {
         let alpha = alpha.scaled(self.factor.alpha());
         self.layers.borrow_mut().push((at, new, alpha));
-        match self.blend {
-            Blend::Over => new.over(stored, alpha),
-            Blend::Add => Composite::add(new, stored, alpha),
-            Blend::Multiply => new.multiply(stored, alpha),
-            Blend::Screen => new.screen(stored, alpha),
-            Blend::Replace => new,
-        }
+        put(self.blend, stored, (new, alpha))
+    }
+}
+
+/// A colour over another one, by the core.
+fn put(blend: Blend, stored: Rgb888, (new, alpha): (Rgb888, Alpha)) -> Rgb888 {
+    match blend {
+        Blend::Over => new.over(stored, alpha),
+        Blend::Add => Composite::add(new, stored, alpha),
+        Blend::Multiply => new.multiply(stored, alpha),
+        Blend::Screen => new.screen(stored, alpha),
+        Blend::Replace => new,
     }
 }
 
@@ -163,6 +168,20 @@ impl Layers {
             layers,
             ranks,
         }
+    }
+
+    /// The colours of the same layers over a picture, row by row.
+    pub(super) fn over(&self, under: &[[u8; 3]]) -> Vec<[u8; 3]> {
+        let color = |[red, green, blue]: [u8; 3]| Rgb888::new(red, green, blue);
+        let blended = |(layers, &stored): (&Vec<Layer>, &[u8; 3])| {
+            let last = layers.iter().fold(color(stored), |stored, layer| {
+                // Both are whole numbers of their units.
+                let new = color(layer.color.map(|channel| channel as u8));
+                put(self.blend, stored, (new, alpha(layer.alpha)))
+            });
+            [last.r(), last.g(), last.b()]
+        };
+        self.layers.iter().zip(under).map(blended).collect()
     }
 
     /// Compares with the reference on the core's own vertices. `has_colors` tells whether its

@@ -46,7 +46,8 @@ pub(super) fn colors(
 
 /// The distances between which each face lies in fog, with a quantum of the tables on both sides.
 fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
-    let quantum = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
+    let (_, scale) = view.core_place();
+    let quantum = scale * f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
     let (camera, faces) = (view.reference_camera(), &model.exact.faces);
     let [near, far] = [view.near, view.far];
     let posed = view.pose_points(&faces.positions).into_iter();
@@ -89,7 +90,7 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
         Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())
             .map(|face| {
                 surface.possible_normals(faces, face).map_or(any, |normals| {
-                    let normals = view.pose_points(&normals).into_iter();
+                    let normals = view.pose_directions(&normals).into_iter();
                     within(&mut normals.map(|n| lights.diffuse([0.0; 3], n)))
                 })
             })

@@ -198,7 +198,7 @@ where
     ) -> Result<Self::Drawn, ViewError> {
         let Self { model, view, shader, clipping, placed } = self;
         let mesh = model.mesh();
-        let object = Object::new(&mesh, shader.clone()).posed(view.pose()).clipped(clipping);
+        let object = Object::new(&mesh, shader.clone()).posed(view.pose()?).clipped(clipping);
         let mut storage =
             vec![ScreenVertex::<S, AnyDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
         let start = Instant::now();

@@ -42,7 +42,7 @@ impl<Sh: Shader<Color: ShownColor>> Drawing for Blended<'_, Sh> {
         let (mesh, layers) = (model.mesh(), RefCell::default());
         let factor = MaterialOpacity::times(blending::alpha(view.opacity));
         let object = Object::new(&mesh, shader.clone())
-            .posed(view.pose())
+            .posed(view.pose()?)
             .clipped(view.planes.core()?)
             .blended(Recorder { blend, factor, layers: &layers });
         let mut order = vec![0; mesh.triangle_count()];

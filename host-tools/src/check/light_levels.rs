@@ -14,13 +14,13 @@ pub(super) fn flat_levels(model: &Model, surface: &Surface, view: &View) -> (Vec
     let normals: Vec<_> =
         model.face_normals.iter().map(|n| n.map(|c| f64::from(c) / 127.0)).collect();
     let triangles = model.triangles.as_triangles();
-    let levels = view.core_pose_points(&normals).into_iter().enumerate().map(|(i, normal)| {
+    let levels = view.core_pose_directions(&normals).into_iter().enumerate().map(|(i, normal)| {
         let corners = triangles.get(i).unwrap_or_default();
         lights.diffuse(mean(corners.map(|vertex| positions[vertex])), normal)
     });
     // There is no surface where only the core's picture is wanted.
     let mesh = surface.mesh(model, &view.rounded());
-    let file_normals = view.pose_points(&surface.triangle_normals(model));
+    let file_normals = view.pose_directions(&surface.triangle_normals(model));
     let file_levels = mesh.triangles.iter().zip(file_normals).map(|(corners, normal)| {
         lights.diffuse(mean(corners.map(|vertex| mesh.positions[vertex])), normal)
     });
@@ -31,13 +31,13 @@ pub(super) fn flat_levels(model: &Model, surface: &Surface, view: &View) -> (Vec
 pub(super) fn corner_levels(model: &Model, surface: &Surface, view: &View) -> Vec<Vec<f64>> {
     let lights = view.lights.reference();
     let positions = view.pose_points(&model.exact.positions).into_iter();
-    let of_vertices: Vec<f64> = (view.pose_points(&model.exact.vertex_normals).into_iter())
+    let of_vertices: Vec<f64> = (view.pose_directions(&model.exact.vertex_normals).into_iter())
         .zip(positions)
         .map(|(normal, position)| lights.diffuse(position, normal))
         .collect();
     let normals: Vec<_> =
         surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
-    let of_faces = view.pose_points(&normals);
+    let of_faces = view.pose_directions(&normals);
     let faces = &model.exact.faces;
     let places = view.pose_points(&faces.positions);
     let mut levels = Vec::with_capacity(surface.vertices.len());

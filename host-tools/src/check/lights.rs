@@ -29,13 +29,15 @@ pub struct Lamp {
     pub half: f64,
 }
 
-/// The lights of a view; there is ambient light of [`AMBIENT`](Self::AMBIENT) beside them.
+/// The lights of a view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ViewLights {
     /// Those that are infinitely far away.
     pub suns: [Option<Sun>; MOST_LIGHTS],
     /// Those at points.
     pub lamps: [Option<Lamp>; MOST_LIGHTS],
+    /// The level of surfaces that none of them reaches, 0 to 1.
+    pub ambient: f64,
 }
 
 impl Default for ViewLights {
@@ -52,10 +54,10 @@ impl ViewLights {
     pub const OVER_THE_SHOULDER: Self = {
         let mut suns = [None; MOST_LIGHTS];
         suns[0] = Some(Sun { toward: [-1.0, 2.0, 3.0], level: 0.8 });
-        Self { suns, lamps: [None; MOST_LIGHTS] }
+        Self { suns, lamps: [None; MOST_LIGHTS], ambient: Self::AMBIENT }
     };
 
-    /// The level of surfaces that no light reaches.
+    /// The ambient light of a view that chooses none.
     pub const AMBIENT: f64 = 0.2;
 
     /// Whether light depends on the position.
@@ -67,13 +69,13 @@ impl ViewLights {
     pub(super) fn single(&self) -> Option<Light> {
         let mut suns = self.suns.iter().flatten();
         let (sun, None, false) = (suns.next()?, suns.next(), self.are_near()) else { return None };
-        Some(Light::new(vector(sun.toward), level(Self::AMBIENT), level(sun.level)))
+        Some(Light::new(vector(sun.toward), level(self.ambient), level(sun.level)))
     }
 
     /// All lights of the core.
     pub(super) fn core(&self) -> CoreLights {
         let mut suns = [Light::new(Vec3::ZERO, Level::ZERO, Level::ZERO); MOST_LIGHTS + 1];
-        suns[MOST_LIGHTS] = Light::new(Vec3::ZERO, level(Self::AMBIENT), Level::ZERO);
+        suns[MOST_LIGHTS] = Light::new(Vec3::ZERO, level(self.ambient), Level::ZERO);
         for (core, sun) in suns.iter_mut().zip(self.suns.iter().flatten()) {
             *core = Light::new(vector(sun.toward), Level::ZERO, level(sun.level));
         }
@@ -98,7 +100,7 @@ impl ViewLights {
             half: Distance::from_num(lamp.half).to_num(),
             level: 1.0,
         });
-        Lights { ambient: Self::AMBIENT, suns: suns.collect(), lamps: lamps.collect() }
+        Lights { ambient: self.ambient, suns: suns.collect(), lamps: lamps.collect() }
     }
 }
 

@@ -46,6 +46,13 @@ impl Default for LineOptions {
     }
 }
 
+impl LineOptions {
+    /// Whether there is more to draw than surfaces.
+    pub(super) const fn has_lines(&self, model: &Model) -> bool {
+        !matches!(self.edges, Edges::None) || model.report.lines + model.report.points > 0
+    }
+}
+
 /// Which edges of a model are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Edges {
@@ -99,20 +106,30 @@ pub fn render_with_lines(
     view: &View,
     options: LineOptions,
 ) -> Result<FixedPicture, ViewError> {
+    draw_over(model, view, options, None)
+}
+
+/// [`render_with_lines`] over the picture `under`, in place of the background: it is what surfaces
+/// blend with, and what is seen where surfaces only hide lines.
+pub(super) fn draw_over(
+    model: &Model,
+    view: &View,
+    options: LineOptions,
+    under: Option<&[[u8; 3]]>,
+) -> Result<FixedPicture, ViewError> {
     let surfaces = if options.edges.has_surfaces() && model.report.triangles > 0 {
-        super::surfaces(model, view)?
+        super::surfaces(model, view, under)?
     } else {
         let pixels = view.size.iter().map(|&side| side as usize).product();
         FixedPicture { size: view.size, pixels: vec![Pixel { color: [0; 3], depth: 0 }; pixels] }
     };
-    let has_lines = options.edges != Edges::None || model.report.lines + model.report.points > 0;
-    if !has_lines {
+    if !options.has_lines(model) {
         return Ok(surfaces);
     }
     if model.vertex_colors.is_empty() {
-        drawing::draw(view, Over { model, view, options, surfaces, shader: Unlit::new() })
+        drawing::draw(view, Over { model, view, options, under, surfaces, shader: Unlit::new() })
     } else {
-        drawing::draw(view, Over { model, view, options, surfaces, shader: Colored::new() })
+        drawing::draw(view, Over { model, view, options, under, surfaces, shader: Colored::new() })
     }
 }
 
@@ -121,6 +138,7 @@ struct Over<'a, Sh> {
     model: &'a Model,
     view: &'a View,
     options: LineOptions,
+    under: Option<&'a [[u8; 3]]>,
     surfaces: FixedPicture,
     /// Colours lines and points of the file.
     shader: Sh,
@@ -133,18 +151,20 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
         self,
         camera: &Camera<P>,
     ) -> Result<FixedPicture, ViewError> {
-        let Self { model, view, options, surfaces, shader } = self;
+        let Self { model, view, options, under, surfaces, shader } = self;
         let mesh = model.mesh();
         let object = Object::new(&mesh, shader)
-            .posed(view.pose())
+            .posed(view.pose()?)
             .clipped(view.planes.core()?)
             .biased(BEHIND);
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
         let seen = object.project(camera, &mut storage)?;
 
-        let background = view.background;
-        let shown = |pixel: &Pixel| if pixel.depth == 0 { background } else { pixel.color };
-        let mut colors: Vec<Rgb888> = (surfaces.pixels.iter().map(shown))
+        let shown = |(place, pixel): (usize, &Pixel)| {
+            let behind = || under.map_or(view.background, |under| under[place]);
+            if pixel.depth == 0 { behind() } else { pixel.color }
+        };
+        let mut colors: Vec<Rgb888> = (surfaces.pixels.iter().enumerate().map(shown))
             .map(|[red, green, blue]| Rgb888::new(red, green, blue))
             .collect();
         let mut depth = vec![0u32; colors.len()];

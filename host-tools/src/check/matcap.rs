@@ -68,7 +68,7 @@ pub(super) fn draw<'a>(
     )
 }
 
-/// The unit normal of each corner of the file, in the camera's axes, which are the world's.
+/// The unit normal of each corner of the file, in the camera's axes.
 fn corner_normals(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 3]> {
     let faces = model.exact.faces.faces.iter();
     let of_corners = faces.zip(&surface.planes).flat_map(|(face, plane)| {
@@ -78,7 +78,9 @@ fn corner_normals(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 3]
             normal.unwrap_or_default()
         })
     });
-    view.pose_points(&of_corners.collect::<Vec<_>>())
+    let camera = view.reference_camera();
+    let in_world = view.pose_directions(&of_corners.collect::<Vec<_>>());
+    in_world.into_iter().map(|normal| camera.turn_to_view(normal)).collect()
 }
 
 /// The colours that any face may have.

@@ -46,9 +46,11 @@ mod placement;
 mod places;
 mod planes;
 mod probe;
+mod scene;
 mod shading;
 mod shiny;
 mod skins;
+mod stand;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -72,14 +74,15 @@ pub use normals::NormalErrors;
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
 pub use planes::{MOST_PLANES, PlaneSpace, ViewPlanes};
+pub use scene::{SceneModel, ScenePicture, render_scene};
 pub use shading::Shading;
+pub use stand::{Look, Place};
 pub use truth::{TrueModel, Truth};
 pub use view::{Projection, Subpixel, View, ViewError};
 #[cfg(feature = "plan")]
-pub(crate) use view::{angle, checked};
+pub(crate) use {stand::angle, view::checked};
 
 use crate::{model::Model, reference};
-use blending::Layers;
 use fixed::Drawn;
 use placement::Placement;
 use places::{FaceColors, Judge};
@@ -211,7 +214,7 @@ impl<'a> Checker<'a> {
             places,
             display: None,
         };
-        let blended = layers.map(|layers| blended(&fixed, &layers));
+        let blended = layers.map(|layers| blended(&fixed, &layers.colors));
         let mut checked =
             Checked { outcome, fixed, arithmetic, end_to_end, wrong, depth: view.depth, blended };
         checked.outcome.display = view.display.map(|display| display::judge(display, &checked));
@@ -240,22 +243,28 @@ pub fn render(model: &Model, view: &View) -> Result<FixedPicture, ViewError> {
     render_with_lines(model, view, LineOptions::default())
 }
 
-/// Draws the surfaces of a model by the core.
-fn surfaces(model: &Model, view: &View) -> Result<FixedPicture, ViewError> {
+/// Draws the surfaces of a model by the core. In a view that blends they lie on the picture
+/// `under`, or on the background without one.
+fn surfaces(
+    model: &Model,
+    view: &View,
+    under: Option<&[[u8; 3]]>,
+) -> Result<FixedPicture, ViewError> {
     // The surface is for the reference, which isn't drawn.
     let surface = Surface::default();
     let skins = Skins::new(model, &surface, skins::of_materials(model));
     let drawn = shading::draw(model, &surface, &skins, view)?;
-    Ok(match &drawn.blended {
-        Some(layers) => blended(&drawn.picture, layers),
-        None => drawn.picture,
+    Ok(match (&drawn.blended, under) {
+        (Some(layers), Some(under)) => blended(&drawn.picture, &layers.over(under)),
+        (Some(layers), None) => blended(&drawn.picture, &layers.colors),
+        (None, _) => drawn.picture,
     })
 }
 
 /// A picture in its blended colours.
-fn blended(picture: &FixedPicture, layers: &Layers) -> FixedPicture {
+fn blended(picture: &FixedPicture, colors: &[[u8; 3]]) -> FixedPicture {
     let recolored = |(pixel, &color): (&Pixel, &[u8; 3])| Pixel { color, ..*pixel };
-    let pixels = picture.pixels.iter().zip(&layers.colors).map(recolored).collect();
+    let pixels = picture.pixels.iter().zip(colors).map(recolored).collect();
     FixedPicture { pixels, ..*picture }
 }
 

@@ -35,9 +35,10 @@ const CUT: f64 = 3.0;
 const GUARD_END: f64 = 1.0;
 /// How far the guard band reaches from the middle, in pixels.
 const GUARD: f64 = 1024.0;
-/// The most by which an entry of the view's matrix is off: three rotations of entries in Q30, each
-/// rounded, and two products of them.
-const TURNING: f64 = 1.0 / (1 << 28) as f64;
+/// The most by which an entry of the view's matrix is off. Entries are in Q30: of six rotations,
+/// three of the model and three of the world, each rounded, with five products; and of the camera's
+/// axes, one of them a product of the others, with one more product.
+const TURNING: f64 = 1.0 / (1 << 27) as f64;
 /// The relative error of a depth before it is stored: 1/8 sub-pixel of 2^10 pixels with 8 bits is
 /// 2^-21, which is also the error of w; doubled for the division and for interpolation.
 const DEPTH: f64 = 1.0 / (1 << 20) as f64;
@@ -89,23 +90,24 @@ impl CutPlane {
 impl Placement {
     pub(super) fn new(model: &Model, view: &View) -> Self {
         let quantum = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
-        let columns = view.pose_points(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        let camera = view.reference_camera();
+        let columns = view.pose_directions(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        let columns: Vec<_> = columns.into_iter().map(|c| camera.turn_to_view(c)).collect();
+        let (_, scale) = view.core_place();
         let reach = (model.exact.faces.positions.iter())
             .map(|p| p.iter().map(|c| c.abs()).sum())
             .fold(0.0, f64::max);
         let row = |i: usize| columns.iter().map(|column| column[i].abs()).sum::<f64>();
-        let quantum = [0, 1, 2].map(|i| row(i) * quantum / 2.0 + reach * TURNING);
-        let camera = view.reference_camera();
+        let quantum = [0, 1, 2].map(|i| scale * (row(i) * quantum / 2.0 + reach * TURNING));
         let [near, far] = camera.projection.depth_range();
         let ends = [
             HalfSpace { normal: [0.0, 0.0, -1.0], offset: -near },
             HalfSpace { normal: [0.0, 0.0, 1.0], offset: far },
         ];
-        // The camera's axes are those of the world.
-        let own = view
-            .half_spaces()
-            .into_iter()
-            .map(|side| side.widened(side.depth(camera.eye) - side.offset));
+        let own = view.half_spaces().into_iter().map(|side| HalfSpace {
+            normal: camera.turn_to_view(side.normal),
+            offset: side.depth(camera.eye),
+        });
         Self {
             planes: ends.into_iter().chain(own).map(|side| CutPlane::new(side, quantum)).collect(),
             camera,
@@ -282,7 +284,7 @@ mod tests {
 
     use super::*;
     use crate::{
-        check::{Projection as Kind, Subpixel},
+        check::{Place, Projection as Kind, Subpixel},
         model::Options,
         reference::random::Random,
     };
@@ -408,7 +410,9 @@ mod tests {
         let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         let mut most = 0f64;
         for number in 0..20_000 {
-            let view = view(&mut random, number);
+            let turn_degrees = [0; 3].map(|_| random.real(-360.0, 360.0));
+            let place = Place { turn_degrees, ..Place::default() };
+            let view = View { place, ..view(&mut random, number) }.rounded();
             let (exact, core) = (view.pose_points(&axes), view.core_pose_points(&axes));
             for (a, b) in exact.as_flattened().iter().zip(core.as_flattened()) {
                 most = most.max((a - b).abs());

@@ -197,28 +197,33 @@ struct Outlines<'a> {
     planes: Vec<Plane>,
     /// Whether each face has a single picture.
     is_judged: Vec<bool>,
+    /// World units for one model unit.
+    scale: f64,
     size: (usize, usize),
 }
 
 impl<'a> Outlines<'a> {
     fn new(&Judge { model, surface, view, colors, .. }: &Judge<'a>) -> Self {
-        let camera = view.reference_camera();
+        let (camera, (_, scale)) = (view.reference_camera(), view.core_place());
         let faces = &model.exact.faces;
         let points: Vec<_> =
             view.pose_points(&faces.positions).into_iter().map(|p| camera.to_view(p)).collect();
         let areas: Vec<_> = surface.planes.iter().map(|plane| plane.area).collect();
         let middles: Vec<_> = surface.planes.iter().map(|plane| plane.middle).collect();
-        // The camera's axes are those of the world.
-        let (areas, middles) = (view.pose_points(&areas), view.pose_points(&middles));
+        let (areas, middles) = (view.pose_directions(&areas), view.pose_points(&middles));
         let planes = (surface.planes.iter().zip(areas.into_iter().zip(middles)))
-            .map(|(plane, (area, middle))| Plane { area, middle: camera.to_view(middle), ..*plane })
+            .map(|(plane, (area, middle))| Plane {
+                area: camera.turn_to_view(area),
+                middle: camera.to_view(middle),
+                deviation: scale * plane.deviation,
+            })
             .collect();
         let size = view.size.map(|side| side as usize).into();
         let placement = Placement::new(model, view);
         let is_judged = (surface.is_simple.iter().zip(colors))
             .map(|(is_simple, colors)| *is_simple && colors.is_some())
             .collect();
-        Self { faces, surface, camera, placement, points, planes, is_judged, size }
+        Self { faces, surface, camera, placement, points, planes, is_judged, scale, size }
     }
 
     fn corners(&self, face: usize) -> Vec<[f64; 3]> {
@@ -289,7 +294,11 @@ impl<'a> Outlines<'a> {
     fn close_to_edges(&self) -> Pixels {
         let (mut close, mut layers) = (Pixels::none(self.size), Winding::new(self.size));
         for edge in &self.surface.edges {
-            self.mark(&mut close, edge.ends.map(|end| self.points[end]), edge.deviation);
+            self.mark(
+                &mut close,
+                edge.ends.map(|end| self.points[end]),
+                self.scale * edge.deviation,
+            );
         }
         for number in 0..self.faces.faces.len() {
             if !self.is_judged[number] {

@@ -5,7 +5,10 @@ use rasterizer::{
     numbers::{Scalar, Vec3},
 };
 
-use super::view::{View, ViewError, checked};
+use super::{
+    stand::{MOST, STEP},
+    view::{View, ViewError, checked},
+};
 use crate::reference::HalfSpace;
 
 /// The most planes of a view.
@@ -34,11 +37,6 @@ pub struct ViewPlanes {
     /// Of what space they are.
     pub space: PlaneSpace,
 }
-
-/// The largest coordinate of a normal, and the largest offset.
-const MOST: f64 = 32_000.0;
-/// The step of both.
-const STEP: f64 = 1.0 / 65_536.0;
 
 impl ViewPlanes {
     /// Whether there are any.
@@ -82,9 +80,12 @@ impl View {
     /// The half spaces of the reference, in world space: those of the core's numbers, if the view
     /// has them.
     pub(super) fn half_spaces(&self) -> Vec<HalfSpace> {
+        let (at, scale) = self.core_place();
         let posed = |side: &HalfSpace| match self.planes.space {
             PlaneSpace::Object => {
-                HalfSpace { normal: self.pose_points(&[side.normal])[0], ..*side }
+                let normal = self.pose_directions(&[side.normal])[0];
+                let moved: f64 = (0..3).map(|i| normal[i] * at[i]).sum();
+                HalfSpace { normal, offset: scale * side.offset - moved }
             }
             PlaneSpace::World => *side,
         };

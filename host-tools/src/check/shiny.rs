@@ -76,10 +76,10 @@ impl<'a> Definition<'a> {
 
 /// The unit normal in world space of each corner of the file.
 pub(super) fn file_normals(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 3]> {
-    let of_vertices = view.pose_points(&model.exact.vertex_normals);
+    let of_vertices = view.pose_directions(&model.exact.vertex_normals);
     let of_planes: Vec<_> =
         surface.planes.iter().map(|plane| plane.normal().unwrap_or_default()).collect();
-    let of_planes = view.pose_points(&of_planes);
+    let of_planes = view.pose_directions(&of_planes);
     let faces = model.exact.faces.faces.iter().zip(of_planes);
     let corner = |vertices: &Vec<usize>, of_plane| {
         let known = vertices.iter().find_map(|&vertex| of_vertices.get(vertex).copied());
@@ -203,8 +203,8 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
             let normal = seen_or(seen[sample.pixel[1] * size.0 + sample.pixel[0]], exact);
             let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
             let position = [0, 1, 2].map(|i| offset[i] + position[i] * spare * step);
-            let [normal, position] =
-                [normal.map(|c| c / length), position].map(|v| core_view.core_pose_points(&[v])[0]);
+            let normal = core_view.core_pose_directions(&[normal.map(|c| c / length)])[0];
+            let position = core_view.core_pose_points(&[position])[0];
             let finish = &definition.finishes[sample.triangle];
             let [diffuse, specular] = definition.levels(position, normal, finish.exponent);
             // What the 15 bits of a cosine, and lines between powers, leave of the exact power.

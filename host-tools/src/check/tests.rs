@@ -12,6 +12,7 @@ mod lines;
 mod matcap;
 mod planes;
 mod shiny;
+mod stand;
 mod textured;
 
 use super::*;
@@ -83,6 +84,8 @@ fn vertex(model: &Model, number: u32) -> usize {
 const FRONT: View = View {
     size: [320, 240],
     distance: 3.0,
+    look: None,
+    place: Place { at: [0.0; 3], turn_degrees: [0.0; 3], scale: 1.0 },
     projection: Projection::Perspective { field_of_view_degrees: 40.0 },
     near: 0.1,
     far: 100.0,

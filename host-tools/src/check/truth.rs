@@ -60,8 +60,8 @@ impl<'a> TrueModel<'a> {
             positions: view.pose_points(&model.exact.positions),
             triangles: (0..).map_while(|i| table.get(i)).collect(),
         };
-        let normals = view.pose_points(&model.exact.vertex_normals);
-        let of_triangles = view.pose_points(&model.exact.face_normals);
+        let normals = view.pose_directions(&model.exact.vertex_normals);
+        let of_triangles = view.pose_directions(&model.exact.face_normals);
         let uv = &model.exact.texture_coordinates;
         let lights = view.lights.reference();
         let varyings = |Corner { triangle, vertex, position: [x, y, z] }: Corner| -> Varyings {

@@ -6,16 +6,16 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::{Camera, CameraError, Distance, Orthographic, Perspective},
-    geometry::Pose,
-    numbers::{Rotation, Scalar, Turn, Vec3},
+    numbers::{Rotation, Scalar, Vec3},
     output::FrameError,
     scene::ProjectError,
     shade,
 };
 
 use super::{
-    BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Shading, ViewLights,
-    ViewPlanes,
+    BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Look, Place, Shading,
+    ViewLights, ViewPlanes,
+    stand::{STEP, angle, rounded_degrees},
 };
 use crate::reference;
 
@@ -55,13 +55,19 @@ pub enum Projection {
     },
 }
 
-/// The camera stands on the z axis and looks at the origin; the model is turned about the origin.
+/// The camera stands on the z axis and looks at the origin, or [looks](Look) from anywhere to
+/// anywhere; the world, in which the model has its [`Place`], is turned about the origin.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// Width and height of the picture in pixels.
     pub size: [u32; 2],
-    /// How far the camera stands from the origin, in model units.
+    /// How far the camera stands from the origin, in model units, if it does not [look](Self::look)
+    /// from elsewhere.
     pub distance: f64,
+    /// Where the camera stands and what it looks at; `None` for the z axis and the origin.
+    pub look: Option<Look>,
+    /// Where the model stands.
+    pub place: Place,
     /// The projection.
     pub projection: Projection,
     /// The distance of the near plane.
@@ -106,6 +112,8 @@ impl Default for View {
         Self {
             size: [320, 240],
             distance: 3.0,
+            look: None,
+            place: Place::default(),
             projection: Projection::Perspective { field_of_view_degrees: 40.0 },
             near: 0.1,
             far: 100.0,
@@ -175,10 +183,12 @@ impl View {
 
     /// The view rounded to the fixed-point numbers of the core.
     pub(super) fn rounded(self) -> Self {
-        let turn = |degrees: f64| f64::from(angle(degrees).to_bits()) / ANGLE_STEPS * 360.0;
-        let length = |length: f64| (length * 65_536.0).round() / 65_536.0;
+        let turn = rounded_degrees;
+        let length = |length: f64| (length / STEP).round() * STEP;
         Self {
             distance: length(self.distance),
+            look: self.look.map(Look::rounded),
+            place: self.place.rounded(),
             projection: match self.projection {
                 Projection::Perspective { field_of_view_degrees } => {
                     Projection::Perspective { field_of_view_degrees: turn(field_of_view_degrees) }
@@ -198,15 +208,6 @@ impl View {
         }
     }
 
-    /// The pose of the model in the fixed-point core.
-    pub(super) fn pose(&self) -> Pose {
-        Pose::rotated(
-            Rotation::about_z(angle(self.roll_degrees))
-                * Rotation::about_x(angle(self.pitch_degrees))
-                * Rotation::about_y(angle(self.yaw_degrees)),
-        )
-    }
-
     /// The rectangle of the display that the picture fills.
     pub(super) const fn area(&self) -> Rectangle {
         let [width, height] = self.size;
@@ -214,6 +215,10 @@ impl View {
     }
 
     fn fixed_camera<P>(&self, projection: P) -> Result<Camera<P>, ViewError> {
+        if let Some(look) = self.look {
+            let [eye, target, up] = look.core()?;
+            return Ok(Camera::look_at(eye, target, up, projection, self.area())?);
+        }
         let eye = checked("the camera's distance", self.distance, -32_000.0, 32_000.0)?;
         let eye = Vec3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(eye));
         Ok(Camera::at(eye, Rotation::IDENTITY, projection, self.area())?)
@@ -267,20 +272,24 @@ impl View {
     }
 
     /// Where the viewer is.
-    pub(super) const fn reference_viewer(&self) -> reference::Viewer {
+    pub(super) fn reference_viewer(&self) -> reference::Viewer {
         match self.projection {
-            Projection::Perspective { .. } => reference::Viewer::At([0.0, 0.0, self.distance]),
-            Projection::Orthographic { .. } => reference::Viewer::Toward([0.0, 0.0, 1.0]),
+            Projection::Perspective { .. } => reference::Viewer::At(self.reference_look().eye),
+            Projection::Orthographic { .. } => {
+                let [_, _, backward] = self.reference_camera().axes();
+                reference::Viewer::Toward(backward)
+            }
         }
     }
 
     pub(super) fn reference_camera(&self) -> reference::Camera {
         let [width, height] = self.size.map(f64::from);
         let (near, far) = (self.near, self.far);
+        let Look { eye, target, up } = self.reference_look();
         reference::Camera {
-            eye: [0.0, 0.0, self.distance],
-            target: [0.0, 0.0, self.distance - 1.0],
-            up: [0.0, 1.0, 0.0],
+            eye,
+            target,
+            up,
             projection: match self.projection {
                 Projection::Perspective { field_of_view_degrees } => {
                     reference::Projection::Perspective {
@@ -303,34 +312,6 @@ impl View {
             viewport: reference::Viewport { x: 0.0, y: 0.0, width, height },
         }
     }
-
-    /// Points of the model in world space, by the rotation that the core is given.
-    pub(super) fn core_pose_points(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
-        let rows = self.pose().rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));
-        let turn = |p: &[f64; 3]| rows.map(|row| (0..3).map(|i| row[i] * p[i]).sum());
-        points.iter().map(turn).collect()
-    }
-
-    /// Points of the model in world space.
-    pub(super) fn pose_points(&self, points: &[[f64; 3]]) -> Vec<[f64; 3]> {
-        let angles = [self.yaw_degrees, self.pitch_degrees, self.roll_degrees].map(f64::to_radians);
-        let [(sy, cy), (sp, cp), (sr, cr)] = angles.map(f64::sin_cos);
-        let turn = |&[x, y, z]: &[f64; 3]| {
-            let [x, z] = [cy * x + sy * z, cy * z - sy * x];
-            let [y, z] = [cp * y - sp * z, cp * z + sp * y];
-            [cr * x - sr * y, cr * y + sr * x, z]
-        };
-        points.iter().map(turn).collect()
-    }
-}
-
-const ANGLE_STEPS: f64 = 4_294_967_296.0;
-
-/// The nearest angle that the core has.
-pub(crate) fn angle(degrees: f64) -> Turn {
-    let steps = (degrees / 360.0).rem_euclid(1.0) * ANGLE_STEPS;
-    // An angle that rounds up to a full turn wraps to 0.
-    Turn::from_bits(steps.round() as u64 as u32)
 }
 
 pub(crate) fn checked(

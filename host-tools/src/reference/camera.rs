@@ -136,6 +136,12 @@ impl Camera {
         self.axes().map(|axis| dot(axis, from_eye))
     }
 
+    /// A direction of the world in view space.
+    #[must_use]
+    pub fn turn_to_view(&self, direction: [f64; 3]) -> [f64; 3] {
+        self.axes().map(|axis| dot(axis, direction))
+    }
+
     /// A view-space point on the screen. In perspective the point must lie in front of the eye (`z
     /// < 0`).
     #[must_use]

@@ -67,7 +67,7 @@ fn lines_and_points_of_the_file_are_drawn() {
     assert_eq!(count(&larger, blue), 64);
     assert!(count(&larger, red) > 2 * count(&seen, red));
     // The rest is the surface.
-    let bare = surfaces(&model, &FRONT).unwrap();
+    let bare = surfaces(&model, &FRONT, None).unwrap();
     let pairs = seen.pixels.iter().zip(&bare.pixels);
     let different = pairs.filter(|(one, other)| one != other).count();
     assert_eq!(different, count(&seen, blue) + count(&seen, red));

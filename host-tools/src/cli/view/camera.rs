@@ -1,12 +1,40 @@
 //! Where the camera stands, how it projects, and how the model is turned.
 
 use clap::Args;
-use host_tools::check::{Projection, View};
+use host_tools::check::{Look, Projection, View};
 
-use super::names::within;
+use super::names::{numbers, within};
 
 #[derive(Clone, Debug, Args)]
 pub(super) struct CameraOptions {
+    /// Where the camera stands in the world. It looks at --target, models are as they are made, and
+    /// --frames turns them about y
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        value_parser = point,
+        allow_hyphen_values = true,
+        conflicts_with_all = ["distance", "yaw", "pitch", "roll"]
+    )]
+    eye: Option<[f64; 3]>,
+    /// What the camera looks at [default: the origin]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        requires = "eye",
+        value_parser = point,
+        allow_hyphen_values = true
+    )]
+    target: Option<[f64; 3]>,
+    /// The direction that points upwards in the picture [default: 0,1,0]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        requires = "eye",
+        value_parser = point,
+        allow_hyphen_values = true
+    )]
+    up: Option<[f64; 3]>,
     /// Distance of the camera from the origin; a model is fitted into a sphere of radius 1
     #[arg(
         long,
@@ -83,18 +111,32 @@ pub(super) struct CameraOptions {
 
 impl CameraOptions {
     pub(super) fn over(&self, view: View) -> View {
+        let look = self.eye.map(|eye| Look {
+            eye,
+            target: self.target.unwrap_or_default(),
+            up: self.up.unwrap_or([0.0, 1.0, 0.0]),
+        });
+        let [yaw, pitch, roll] =
+            if look.is_some() { [0.0; 3] } else { [self.yaw, self.pitch, self.roll] };
         let perspective = Projection::Perspective { field_of_view_degrees: self.fov };
         View {
             distance: self.distance,
+            look,
             projection: self
                 .orthographic
                 .map_or(perspective, |height| Projection::Orthographic { height }),
             near: self.near,
             far: self.far,
-            yaw_degrees: self.yaw,
-            pitch_degrees: self.pitch,
-            roll_degrees: self.roll,
+            yaw_degrees: yaw,
+            pitch_degrees: pitch,
+            roll_degrees: roll,
             ..view
         }
     }
+}
+
+/// A point or a direction, as in 1,2,0.5.
+fn point(text: &str) -> Result<[f64; 3], &'static str> {
+    let found = numbers(text).and_then(|numbers| numbers.try_into().ok());
+    found.ok_or("write three numbers up to 32000, as in 1,2,0.5")
 }

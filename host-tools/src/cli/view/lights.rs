@@ -3,12 +3,12 @@
 use clap::Args;
 use host_tools::check::{Lamp, MOST_LIGHTS, Sun, View, ViewLights};
 
-use super::names::numbers;
+use super::names::{numbers, within};
 
 #[derive(Clone, Debug, Args)]
 pub(super) struct LightOptions {
-    /// A distant light: the direction towards it, and its level [default: 0.8]; up to 4 of them, in
-    /// place of one over the left shoulder
+    /// A distant light: the direction towards it in the world, and its level [default: 0.8]; up to
+    /// 4 of them, in place of -1,2,3, which is over the left shoulder of a camera on the z axis
     #[arg(
         long,
         value_name = "X,Y,Z[,LEVEL]",
@@ -16,22 +16,35 @@ pub(super) struct LightOptions {
         allow_hyphen_values = true
     )]
     light: Vec<Sun>,
-    /// A light at a point, where the camera looks at the origin from the z axis, and the distance
-    /// at which its level is half; up to 4 of them
+    /// A light at a point of the world, and the distance at which its level is half; up to 4 of
+    /// them
     #[arg(long, value_name = "X,Y,Z,HALF", value_parser = lamp, allow_hyphen_values = true)]
     lamp: Vec<Lamp>,
+    /// The level of surfaces that no light reaches, 0 to 1
+    #[arg(
+        long,
+        value_name = "LEVEL",
+        default_value_t = ViewLights::AMBIENT,
+        value_parser = within(0.0, 1.0),
+        allow_negative_numbers = true
+    )]
+    ambient: f64,
 }
 
 impl LightOptions {
     /// With the lights that fit; [`check`](Self::check) refuses more of them.
     pub(super) fn over(&self, view: View) -> View {
+        let ambient = self.ambient;
         if self.light.is_empty() && self.lamp.is_empty() {
-            return View { lights: ViewLights::default(), ..view };
+            return View { lights: ViewLights { ambient, ..ViewLights::default() }, ..view };
         }
         let nth = |i: usize| self.light.get(i).copied();
         let nth_lamp = |i: usize| self.lamp.get(i).copied();
-        let lights =
-            ViewLights { suns: std::array::from_fn(nth), lamps: std::array::from_fn(nth_lamp) };
+        let lights = ViewLights {
+            suns: std::array::from_fn(nth),
+            lamps: std::array::from_fn(nth_lamp),
+            ambient,
+        };
         View { lights, ..view }
     }
 

@@ -15,7 +15,7 @@ mod tests;
 use clap::Args;
 use host_tools::{
     check::{Shading, View},
-    model::Options,
+    model::{Fit, Options},
 };
 
 use self::{
@@ -29,7 +29,8 @@ pub(super) use self::{
 };
 use super::{reduction::Reduction, smoothing::Smoothing, textures::TextureArguments};
 
-/// The view: from a point on the z axis toward the origin, about which the model is turned.
+/// The view: from a point on the z axis toward the origin, about which the model is turned, or from
+/// any point to any other.
 #[derive(Clone, Debug, Args)]
 #[command(next_help_heading = "View")]
 pub(super) struct ViewOptions {
@@ -54,6 +55,10 @@ pub(super) struct ViewOptions {
     /// Turn over faces that run against their neighbours, and closed parts that are inside out
     #[arg(long)]
     fix_winding: bool,
+    /// Keep the units of the file, instead of fitting the model into a sphere of radius 1 about the
+    /// origin: --eye and --distance are in them
+    #[arg(long)]
+    keep_units: bool,
     /// Frames of a full turn about y, 1 to 360
     #[arg(
         long,
@@ -89,6 +94,7 @@ impl ViewOptions {
             textures.mipmaps |= self.surface.filter.reads_levels();
         }
         Options {
+            fit: if self.keep_units { Fit::Keep } else { Fit::Unit },
             fix_winding: self.fix_winding,
             simplify: self.reduction.simplify,
             textures,

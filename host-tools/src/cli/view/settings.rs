@@ -23,6 +23,7 @@ pub(in crate::cli) struct Settings {
     filter: &'static str,
     lights: Vec<[f64; 4]>,
     lamps: Vec<[f64; 4]>,
+    ambient: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     colors: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -37,7 +38,14 @@ pub(in crate::cli) struct Settings {
     clip: Vec<[f64; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     clip_in: Option<&'static str>,
-    distance: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    distance: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    eye: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    target: Option<[f64; 3]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    up: Option<[f64; 3]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fov: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -76,13 +84,17 @@ impl Settings {
             lamps: (view.lights.lamps.iter().flatten())
                 .map(|&Lamp { position: [x, y, z], half }| [x, y, z, half])
                 .collect(),
+            ambient: view.lights.ambient,
             blend: name(&Blending::NAMES, view.blending),
             opacity: view.opacity,
             fog: view.fog.map(|fog| law(fog.law)),
             fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             clip_in: (!clip.is_empty()).then(|| name(&PlaneSpace::NAMES, view.planes.space)),
             clip,
-            distance: view.distance,
+            distance: view.look.is_none().then_some(view.distance),
+            eye: view.look.map(|look| look.eye),
+            target: view.look.map(|look| look.target),
+            up: view.look.map(|look| look.up),
             fov,
             height,
             near: view.near,

@@ -4,7 +4,7 @@ use clap::Parser;
 use host_tools::{
     check::{
         BACKGROUND, Blending, Colors, Correction, DepthFormat, Display, Filter, Fog, FogBy, Lamp,
-        Matrix, PlaneSpace, Projection, Subpixel, Sun, ViewLights, ViewPlanes,
+        Look, Matrix, Place, PlaneSpace, Projection, Subpixel, Sun, ViewLights, ViewPlanes,
     },
     reference::{self, Blend, HalfSpace},
 };
@@ -33,11 +33,13 @@ fn no_options_give_the_library_s_defaults() {
 fn every_option_arrives() {
     let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
                 every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --blend screen --opacity 0.25 --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
-                --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --colors gray2 --dither 4 --clip 0,-1,0.5,0.25 --clip -3,0,0,-1 --clip-in world";
+                --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --ambient 0.375 --colors gray2 --dither 4 --clip 0,-1,0.5,0.25 --clip -3,0,0,-1 --clip-in world";
     let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
     let expected = View {
         size: [7, 9],
         distance: 4.0,
+        look: None,
+        place: Place::default(),
         projection: Projection::Orthographic { height: 2.5 },
         near: 1.0,
         far: 9.0,
@@ -58,6 +60,7 @@ fn every_option_arrives() {
                 None,
             ],
             lamps: [Some(Lamp { position: [-1.0, 0.0, 2.0], half: 1.5 }), None, None, None],
+            ambient: 0.375,
         },
         blending: Blending::By(Blend::Screen),
         background: BACKGROUND,
@@ -112,6 +115,8 @@ fn silly_values_are_refused_by_name() {
             "--fog",
             &["", "exp", "exp:", "exp:-1", "exp:nan", "linear:1", "linear:2:2", "linear:3:1", "3"],
         ),
+        ("--eye", &["1,2", "1,2,3,4", "nan,0,0", "1e9,0,0", ""]),
+        ("--ambient", &["1.1", "-0.1", "nan"]),
         ("--simplify", &["0", "-1", "1.5", "", "many"]),
         ("--fog-by", &["pixel", "face"]),
         ("--clip", &["", "1,0,0", "0,0,0,1", "1,0,0,1,1", "nan,0,1,0", "1e9,0,0,0", "1,0,0,1e9"]),
@@ -123,8 +128,23 @@ fn silly_values_are_refused_by_name() {
         }
     }
     assert!(parse(&["--fov=30", "--orthographic=2"]).is_err());
+    for turntable in ["--distance=2", "--yaw=1", "--pitch=0", "--roll=9"] {
+        let error = parse(&["--eye=1,2,3", turntable]).unwrap_err();
+        assert!(error.contains("cannot be used with"), "{error}");
+    }
+    assert!(parse(&["--target=1,2,3"]).is_err() && parse(&["--up=1,2,3"]).is_err());
     assert!(parse(&["--clip-in=world"]).is_err(), "there are no planes");
     assert!(parse(&["--dither=8"]).is_err(), "colours to dither to are missing");
+}
+
+#[test]
+fn an_eye_looks_at_models_as_they_are_made() {
+    let options = parse(&["--eye", "-1,2,3", "--target=0,-.5,0", "--keep-units"]).unwrap();
+    let view = options.view(Shading::default());
+    let look = Look { eye: [-1.0, 2.0, 3.0], target: [0.0, -0.5, 0.0], up: [0.0, 1.0, 0.0] };
+    assert_eq!(view.look, Some(look));
+    assert_eq!([view.yaw_degrees, view.pitch_degrees, view.roll_degrees], [0.0; 3]);
+    assert_eq!(options.conversion().fit, Fit::Keep);
 }
 
 #[test]
