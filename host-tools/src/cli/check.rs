@@ -28,6 +28,8 @@ const EXAMPLES: &str = "\
 Examples:
   host-tools check model.obj
   host-tools check model.obj --frames 60 --depth u32
+  host-tools check model.obj --eye 2,1.5,2 --target 0,0.2,0
+  host-tools check model.obj --simplify 500          The tables of `convert --simplify`
   host-tools check model.obj --json | jq .arithmetic
   host-tools check model.obj --filter trilinear --perspective every-16
   host-tools check model.obj --shading flat --colors binary --dither 8
@@ -141,7 +143,7 @@ struct Json {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
-    let (path, frames) = (&arguments.model, arguments.view.frames);
+    let (path, frames) = (&arguments.model, arguments.view.frames.unwrap_or(1));
     arguments.view.check()?;
     if let Some(directory) = &arguments.pictures {
         allow_directory(directory)?;

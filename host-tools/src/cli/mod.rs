@@ -1,10 +1,14 @@
 //! The arguments and the exit status: 0 for success, 1 if a bound is exceeded, 2 for bad usage or
 //! bad input.
 
+mod animation;
+mod background;
 mod check;
 mod convert;
+mod gif;
 mod image;
 mod output;
+mod placed;
 mod plan;
 mod png;
 mod progress;

@@ -10,7 +10,7 @@ use anyhow::{Context as _, Result, bail};
 use host_tools::model::{Model, printable, write_atomically};
 use serde::Serialize;
 
-use super::{png, signals};
+use super::{gif, png, signals};
 
 /// Prints to the standard output, with control characters of names escaped if it is text. A pipe
 /// that its reader has closed is not an error.
@@ -81,8 +81,11 @@ pub(super) const PNG: Kind = Kind {
     otherwise: "choose another name, remove it, or overwrite it with --force",
 };
 
-/// Enough bytes to recognise a result by.
-const START: u64 = 512;
+/// Animations.
+pub(super) const GIF: Kind = Kind { is_ours: gif::is_ours, ..PNG };
+
+/// Enough bytes to recognise a result by: in a GIF file a palette of 768 precedes its mark.
+const START: u64 = 1024;
 
 /// Refuses a path that cannot or must not be written to: a directory, a device, one in a missing
 /// directory, an input, or a file that is not from this program. An empty file may be overwritten.

@@ -3,7 +3,7 @@
 use anyhow::Result;
 use png::{BitDepth, ColorType, Encoder};
 
-use super::image::Image;
+use super::{animation::Timing, image::Image};
 
 /// The value of the keyword "Software" in every picture of this program.
 const SOFTWARE: &str = concat!("host-tools ", env!("CARGO_PKG_VERSION"));
@@ -15,14 +15,9 @@ pub(super) fn is_ours(start: &[u8]) -> bool {
     start.starts_with(b"\x89PNG\r\n\x1a\n") && start.windows(MARK.len()).any(|part| part == MARK)
 }
 
-/// The time that an animation takes for a full turn.
-const TURN_SECONDS: u16 = 3;
-/// Many viewers slow down animations with more frames per second than this.
-const MOST_FRAMES_A_SECOND: u16 = 50;
-
 /// The bytes of a PNG file of one picture.
 pub(super) fn still(image: &Image) -> Result<Vec<u8>> {
-    animation(image.size, 1, std::iter::once(Ok(image.clone())))
+    animation(image.size, Timing::STILL, std::iter::once(Ok(image.clone())))
 }
 
 /// The bytes of a PNG file that repeats its frames without end, or of an ordinary PNG file for one
@@ -32,7 +27,7 @@ pub(super) fn still(image: &Image) -> Result<Vec<u8>> {
 /// frame.
 pub(super) fn animation(
     [width, height]: [u32; 2],
-    frames: u16,
+    timing: Timing,
     images: impl Iterator<Item = Result<Image>>,
 ) -> Result<Vec<u8>> {
     let mut bytes = Vec::new();
@@ -40,13 +35,10 @@ pub(super) fn animation(
     encoder.set_color(ColorType::Rgb);
     encoder.set_depth(BitDepth::Eight);
     encoder.add_text_chunk("Software".into(), SOFTWARE.into())?;
-    if frames > 1 {
-        encoder.set_animated(frames.into(), 0)?;
-        if frames <= TURN_SECONDS * MOST_FRAMES_A_SECOND {
-            encoder.set_frame_delay(TURN_SECONDS, frames)?;
-        } else {
-            encoder.set_frame_delay(1, MOST_FRAMES_A_SECOND)?;
-        }
+    if timing.frames > 1 {
+        encoder.set_animated(timing.frames, 0)?;
+        let [seconds, parts] = timing.delay;
+        encoder.set_frame_delay(seconds, parts)?;
     }
     let mut writer = encoder.write_header()?;
     for image in images {

@@ -9,16 +9,20 @@ use clap::{
 };
 use host_tools::{
     check::{
-        self, BACKGROUND, Colors, Display, Edges, FixedPicture, Fog, LineOptions, Matrix, Shading,
-        View, ViewError,
+        self, BACKGROUND, Colors, Display, Edges, FixedPicture, Fog, LineOptions, Matrix,
+        SceneModel, Shading, View, ViewError, render_scene,
     },
     model::{Model, Options},
 };
 
 use super::{
-    Done, convert, image,
+    Done,
+    animation::{Format, MOST_FRAMES_A_SECOND, Timing, picture_file},
+    background::{self, Background, Rgb, background, color},
+    convert,
+    image::Image,
     output::{self, Overwriting},
-    png,
+    placed::{self, Placed},
     progress::Progress,
     view::{MAX_SIZE, ViewOptions, choice, within},
 };
@@ -38,7 +42,18 @@ Examples:
   host-tools render model.obj --painter             Without a depth buffer
   host-tools render model.obj --clip 0,0,-1,0 --clip 1,0,0,0.5  What two planes leave
   host-tools render model.obj --wireframe-over --line-color ffffff --line-width 2
-  host-tools render model.obj --frames 60           A turntable, as an animated PNG";
+  host-tools render model.obj --frames 60           A turntable, as an animated PNG
+  host-tools render model.obj -o model.gif --fps 15  The same as an animated GIF
+  host-tools render model.obj --eye 2,1.5,2 --target 0,0.2,0 --ambient 0.1
+  host-tools render model.obj --background 102030..8090a0  A gradient; or sky.png
+  host-tools render model.obj --simplify 500        What `convert --simplify 500` leaves
+
+Several models in one picture, each with its place: FILE@X,Y,Z[,SCALE[,YAW[,PITCH,ROLL]]]
+  host-tools render table.obj cup.obj@0.3,1.2,0,0.25 --eye 2,2,3
+  host-tools render ship.obj@-1,0,0 ship.obj@1,0,0,1,180 --distance 5
+Each model is fitted into a sphere of radius 1 (or --keep-units), then scaled, turned about y, x and
+z in degrees, and moved; the world of all of them is turned by --yaw, --pitch, --roll and --frames.
+The nearest is seen; with --blend each lies on those before it.";
 
 /// The widest line and the largest point, so that four samples of each pixel fit 8 bits.
 const MOST_PIXELS: i64 = 63;
@@ -47,11 +62,18 @@ const MOST_PIXELS: i64 = 63;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Arguments {
-    /// The OBJ file; - for the standard input, whose libraries lie in this directory
-    model: PathBuf,
-    /// Where to write the picture, a .png; - for the standard output [default: the model's name
-    /// with .png, in this directory]
-    #[arg(short, long, value_name = "FILE", value_parser = PathBufValueParser::new().try_map(png_file))]
+    /// The OBJ files, each with its place as in model.obj@1,0,0; - for the standard input, whose
+    /// libraries lie in this directory
+    #[arg(required = true, value_name = "MODEL[@PLACE]", value_parser = placed::parser())]
+    models: Vec<Placed>,
+    /// Where to write the picture, a .png, or an animation, a .png or .gif; - for a PNG file to the
+    /// standard output [default: the first model's name with .png, in this directory]
+    #[arg(
+        short,
+        long,
+        value_name = "FILE",
+        value_parser = PathBufValueParser::new().try_map(picture_file)
+    )]
     output: Option<PathBuf>,
     /// Overwrite a file that is not from this program
     #[arg(long)]
@@ -75,7 +97,7 @@ pub(super) struct Arguments {
     wireframe_over: bool,
     /// The colour of edges in hexadecimal [default: light; over surfaces dark]
     #[arg(long, value_name = "RRGGBB", requires = "lines", value_parser = color)]
-    line_color: Option<Color>,
+    line_color: Option<Rgb>,
     /// The width of edges, and of the file's lines (`l`), in pixels
     #[arg(
         long,
@@ -101,9 +123,19 @@ pub(super) struct Arguments {
         allow_negative_numbers = true
     )]
     edges: Option<f64>,
-    /// The background's colour in hexadecimal [default: a dark grey-blue]
-    #[arg(long, value_name = "RRGGBB", value_parser = color)]
-    background: Option<Color>,
+    /// What lies behind: a colour in hexadecimal; two for a gradient from top to bottom, as in
+    /// 102030..8090a0; or a PNG or JPEG file, which fills the picture. Fog takes its mean colour
+    /// [default: a dark grey-blue]
+    #[arg(long, value_name = "COLOR|FILE", value_parser = background)]
+    background: Option<Background>,
+    /// Frames of an animation a second [default: as many as make a turn take 3 s, 50 at most]; GIF
+    /// files count hundredths of a second
+    #[arg(
+        long,
+        value_name = "N",
+        value_parser = clap::value_parser!(u16).range(1..=i64::from(MOST_FRAMES_A_SECOND))
+    )]
+    fps: Option<u16>,
     /// The same as --colors rgb565
     #[arg(long, conflicts_with = "colors")]
     rgb565: bool,
@@ -123,52 +155,54 @@ impl Arguments {
             Edges::None
         }
     }
-}
 
-/// Refuses the ending of another format.
-fn png_file(path: PathBuf) -> Result<PathBuf, &'static str> {
-    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    if is_png || output::is_standard(&path) {
-        Ok(path)
-    } else {
-        Err("pictures are PNG files: give the name the ending .png")
+    /// How lines and points are drawn, with `side` samples along the side of a pixel.
+    fn lines(&self, side: u8) -> LineOptions {
+        let edges = self.drawn_edges();
+        let usual = if edges == Edges::Over { Edges::DARK } else { Edges::LIGHT };
+        LineOptions {
+            edges,
+            edge_color: self.line_color.unwrap_or(usual),
+            line_width: self.line_width * side,
+            point_size: self.point_size * side,
+        }
     }
-}
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Color([u8; 3]);
-
-fn color(text: &str) -> Result<Color, String> {
-    let digits = text.strip_prefix('#').unwrap_or(text);
-    let is_color = digits.len() == 6 && digits.bytes().all(|b| b.is_ascii_hexdigit());
-    let number = u32::from_str_radix(digits, 16).ok().filter(|_| is_color);
-    let [_, r, g, b] = number.ok_or("write six hexadecimal digits, as in 283240")?.to_be_bytes();
-    Ok(Color([r, g, b]))
+    /// Loads the models.
+    fn load(&self) -> Result<Vec<Model>> {
+        let standard = self.models.iter().filter(|placed| output::is_standard(&placed.path));
+        ensure!(standard.count() <= 1, "the standard input is one model: give - only once");
+        let edges_degrees =
+            (self.drawn_edges() != Edges::None).then_some(self.edges.unwrap_or(0.0));
+        let conversion = Options { edges_degrees, ..self.view.conversion() };
+        self.models.iter().map(|placed| convert::load(&placed.path, &conversion)).collect()
+    }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
-    let path =
-        (arguments.output.clone()).unwrap_or_else(|| output::named_after(&arguments.model, ".png"));
+    let first = &arguments.models[0].path;
+    let path = (arguments.output.clone()).unwrap_or_else(|| output::named_after(first, ".png"));
     let is_standard = output::is_standard(&path);
-    let edges = arguments.drawn_edges();
-    let edges_degrees = (edges != Edges::None).then_some(arguments.edges.unwrap_or(0.0));
-    let conversion = Options { edges_degrees, ..arguments.view.conversion() };
-    let model = convert::load(&arguments.model, &conversion)?;
-    if !is_standard {
-        let inputs = output::inputs(&model);
-        let overwriting = Overwriting { force: arguments.force, inputs: &inputs };
-        output::allow(&path, output::PNG, overwriting)?;
-    }
+    let format = Format::of(&path).unwrap_or(Format::Png);
+    let frames = arguments.view.frames.unwrap_or(format.frames());
+    let timing = Timing::new(frames, arguments.fps)?;
     arguments.view.check()?;
-    let background = arguments.background.map_or(BACKGROUND, |Color(color)| color);
-    let view = arguments.view.view(Shading::of(&model));
-    // Fog hides what it covers.
-    let fog = view.fog.map(|fog| Fog { color: background, ..fog });
-    let view = View { background, fog, ..view };
-    let frames = arguments.view.frames;
-    let rgb565 = Display { colors: Colors::Rgb565, dither: Matrix::None };
-    let display = view.display.or(arguments.rgb565.then_some(rgb565));
-
+    let models = arguments.load()?;
+    if !is_standard {
+        let mut inputs: Vec<_> = models.iter().flat_map(output::inputs).collect();
+        inputs
+            .extend(arguments.background.iter().filter_map(Background::input).map(Path::to_owned));
+        let overwriting = Overwriting { force: arguments.force, inputs: &inputs };
+        output::allow(&path, format.kind(), overwriting)?;
+    }
+    let scene: Vec<SceneModel<'_>> = (models.iter().zip(&arguments.models))
+        .map(|(model, placed)| SceneModel {
+            model,
+            place: placed.place,
+            shading: arguments.view.view(Shading::of(model)).shading,
+        })
+        .collect();
+    let view = arguments.view.view(Shading::default());
     let side = arguments.supersample;
     let samples = view.size.map(|pixels| pixels * side);
     ensure!(
@@ -176,32 +210,31 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         "with --supersample {side} a side of --size is at most {}",
         MAX_SIZE / side
     );
+    let plain = Background::Colors([BACKGROUND; 2]);
+    let under = arguments.background.as_ref().unwrap_or(&plain).drawn(samples)?;
+    let background = background::mean(&under);
+    // Fog hides what it covers.
+    let fog = view.fog.map(|fog| Fog { color: background, ..fog });
+    let view = View { background, fog, ..view };
+    let rgb565 = Display { colors: Colors::Rgb565, dither: Matrix::None };
+    let display = view.display.or(arguments.rgb565.then_some(rgb565));
+    let lines = arguments.lines(side as u8);
 
-    let lines = LineOptions {
-        edges,
-        edge_color: arguments.line_color.map_or_else(
-            || if edges == Edges::Over { Edges::DARK } else { Edges::LIGHT },
-            |Color(color)| color,
-        ),
-        line_width: arguments.line_width * side as u8,
-        point_size: arguments.point_size * side as u8,
-    };
-    let mut is_empty = true;
+    let mut seen = vec![0; models.len()];
     let bytes = {
-        let progress = Progress::over(frames, "drawing");
-        let images = (0..frames).map(|frame| {
+        let progress = Progress::over(format.drawn_frames(frames), "drawing");
+        format.encode(view.size, timing, |frame| {
             let view = View { size: samples, ..view.turned(frame, frames) };
-            let picture = check::render_with_lines(&model, &view, lines)
-                .map_err(|error| refused(&arguments.model, &error))?;
-            is_empty &= picture.pixels.iter().all(|pixel| pixel.depth == 0);
-            let image = image::of_fixed(&picture, background).resolved(side);
+            let picture = render_scene(&scene, &view, lines, &under)
+                .map_err(|(number, error)| refused(&arguments.models[number].path, &error))?;
+            seen.iter_mut().zip(picture.seen).for_each(|(sum, count)| *sum += count);
+            let image = Image { size: picture.size, rgb: picture.colors }.resolved(side);
             progress.step();
             Ok(display.map_or_else(|| image.clone(), |display| image.shown_by(display)))
-        });
-        png::animation(view.size, u16::try_from(frames)?, images)?
+        })?
     };
-    if is_empty {
-        output::complain("warning", &nothing_seen(&arguments.model));
+    for (placed, _) in arguments.models.iter().zip(seen).filter(|&(_, seen)| seen == 0) {
+        output::complain("warning", &nothing_seen(&placed.path));
     }
     if is_standard {
         return Ok(bytes.into());
@@ -225,22 +258,8 @@ pub(super) fn refused(path: &Path, error: &ViewError) -> anyhow::Error {
 /// The message for a picture without a pixel of the model.
 pub(super) fn nothing_seen(path: &Path) -> String {
     format!(
-        "no pixel shows anything of {}: change --distance, --near, --far, --fov, --orthographic, \
-         --clip or --size",
+        "no pixel shows anything of {}: change --distance or --eye, --near, --far, --fov, \
+         --orthographic, --clip or --size",
         path.display()
     )
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn colors_are_six_digits() {
-        assert_eq!(color("102fFF"), Ok(Color([16, 47, 255])));
-        assert_eq!(color("#000001"), Ok(Color([0, 0, 1])));
-        for text in ["", "12345", "1234567", "+12345", "#", "blue", "ééé", "0x1234"] {
-            assert!(color(text).is_err(), "{text}");
-        }
-    }
 }

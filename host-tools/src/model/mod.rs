@@ -66,6 +66,7 @@ pub use report::{Flash, Report, Simplification, thousands};
 pub use texture_coordinates::TextureTable;
 pub use textures::{
     AlphaFormat, ColorFormat, Picture, TexelFormat, Texture, TextureOptions, TextureWrap, Textures,
+    choose_palette,
 };
 pub use write::{convert_for_build, write_atomically};
 

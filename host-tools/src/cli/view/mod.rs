@@ -59,14 +59,9 @@ pub(super) struct ViewOptions {
     /// origin: --eye and --distance are in them
     #[arg(long)]
     keep_units: bool,
-    /// Frames of a full turn about y, 1 to 360
-    #[arg(
-        long,
-        value_name = "N",
-        default_value_t = 1,
-        value_parser = clap::value_parser!(u32).range(1..=360)
-    )]
-    pub(super) frames: u32,
+    /// Frames of a full turn about y, 1 to 360 [default: 1, of a GIF file 36]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=360))]
+    pub(super) frames: Option<u32>,
     #[command(flatten)]
     textures: TextureArguments,
 }

@@ -84,7 +84,7 @@ fn every_option_arrives() {
     };
     assert_eq!(options.view(Shading::Unlit), expected);
     let conversion = options.conversion();
-    assert_eq!((conversion.crease_degrees, options.frames), (10.0, 5));
+    assert_eq!((conversion.crease_degrees, options.frames), (10.0, Some(5)));
     assert!(!conversion.smoothing_groups, "the angle goes before the file's groups");
 }
 

@@ -204,6 +204,15 @@ fn alpha(texels: &[Vec<Stored>], choice: Option<AlphaFormat>) -> Option<AlphaFor
     texels.iter().flatten().any(|texel| texel[3] < least_opaque).then_some(choice)
 }
 
+/// Chooses at most `count` colours for all of these, so that the mean square distance from one to
+/// the nearest of the palette is small; all of them if they are no more than that.
+#[must_use]
+pub fn choose_palette(colors: &[[u8; 3]], count: usize) -> Vec<[u8; 3]> {
+    let texels: Vec<[f64; 3]> = colors.iter().map(|color| color.map(f64::from)).collect();
+    let chosen = palette::choose(&texels, count, |color| color.map(f64::round));
+    chosen.into_iter().map(|color| color.map(|channel| channel as u8)).collect()
+}
+
 impl Textures {
     /// The bytes that all of them take in flash.
     #[must_use]

@@ -26,6 +26,40 @@ impl Picture {
         self.pixels[y * self.size[0] + x].map(|value| f64::from(value) / 257.0)
     }
 
+    /// Reads a PNG or JPEG file.
+    ///
+    /// # Errors
+    ///
+    /// Returns a message that names the file and what is wrong with it.
+    pub fn load(path: &Path) -> Result<Self, String> {
+        read(path).map(|(picture, _)| picture)
+    }
+
+    /// The colours of a picture of another size that this one fills, row by row: its middle, as
+    /// much of it as has the same proportions, filtered in linear light. Where it is transparent,
+    /// black shows through.
+    ///
+    /// # Panics
+    ///
+    /// Panics if a side is 0.
+    #[must_use]
+    pub fn filling(&self, size: [usize; 2]) -> Vec<[u8; 3]> {
+        let [width, height] = self.size;
+        // Of each side as much as the other one allows.
+        let part = |side: usize, other: usize, wanted: usize, of: usize| {
+            side.min((other * wanted).div_ceil(of))
+        };
+        let kept = [part(width, height, size[0], size[1]), part(height, width, size[1], size[0])];
+        let first = [(width - kept[0]) / 2, (height - kept[1]) / 2];
+        let rows = self.pixels.chunks_exact(width).skip(first[1]).take(kept[1]);
+        let pixels = rows.flat_map(|row| &row[first[0]..first[0] + kept[0]]).copied().collect();
+        let light = super::resample::Light::of(&Self { size: kept, pixels }, size);
+        let over_black = |[red, green, blue, alpha]: [f64; 4]| {
+            [red, green, blue].map(|c| (c * alpha / 255.0).round() as u8)
+        };
+        light.stored().into_iter().map(over_black).collect()
+    }
+
     /// Decodes a file. The error is what follows the name of the picture in a message.
     pub(in super::super) fn decode(bytes: &[u8]) -> Result<Self, String> {
         if bytes.starts_with(b"\x89PNG\r\n\x1a\n") {
