@@ -8,9 +8,9 @@ use rasterizer::{
     attribute::{FloatDepth, NoDepth},
     camera::{Camera, Distance, Perspective},
     color::Alpha,
-    geometry::{ClipNone, CullNone, Pose, Projection, ScreenVertex},
+    geometry::{ClipNone, CullNone, PlanarShadow, Plane, Pose, Projection, ScreenVertex},
     mesh::{Mesh, Tables},
-    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
+    numbers::{Matrix, Rotation, S4, S8, Scalar, Subpixel, Turn, Vec3},
     output::Add,
     scene::{Levels, Needs, Object, Painter, ProjectError, RowRange, Scene, each},
     shade::{Gouraud, Unlit},
@@ -96,6 +96,13 @@ fn scene_is_like_its_objects<S: Subpixel, D: Depth>() {
     let bare = |pose: &Pose| {
         Object::new(&mesh, Unlit::<Rgb888>::new()).posed(*pose).blended(Add(Alpha::OPAQUE))
     };
+    let (two, half) = (Scalar::from_num(2), Scalar::lit("0.5"));
+    let shadow = |pose: &Pose| {
+        let floor = Plane::new(Vec3::Y, Scalar::ONE);
+        let sun = Vec3::lit("-1", "2", "0.5");
+        bare(pose).clipped(PlanarShadow::new(floor, sun))
+    };
+    let stretched = |pose: &Pose| bare(pose).shaped(&Matrix::scaling(two, half, -two));
     for eye in ["3", "0.9"] {
         let camera = at(eye, DISPLAY);
         let (first, absent, second) = (lit(&few[0]), None, Some(bare(&few[1]).culled(CullNone)));
@@ -121,11 +128,12 @@ fn scene_is_like_its_objects<S: Subpixel, D: Depth>() {
             &stored,
             each(many, lit),
             (absent.map(|pose: Pose| lit(&pose)), second),
+            each(many, |pose| (shadow(pose), stretched(pose))),
             each(many, |pose| bare(pose).culled(CullNone)),
         );
-        let mut rows = vec![RowRange::EMPTY; 2 * many.len() + 1];
+        let mut rows = vec![RowRange::EMPTY; 4 * many.len() + 1];
         let scene = Scene::new(contents, &camera, S::default(), &mut rows).unwrap();
-        assert_eq!(scene.rows().len(), 2 * many.len() + 1);
+        assert_eq!(scene.rows().len(), 4 * many.len() + 1);
         let out = scene.rows().iter().filter(|rows| rows.rows().is_empty()).count();
         assert!(out >= 2, "{out} objects are out of the picture");
         for rows in 1..=ROWS + 1 {
@@ -242,4 +250,35 @@ fn levels_of_detail_go_by_distance() {
         seen[got.unwrap_or(3)] += 1;
     }
     assert!(seen.iter().all(|&count| count > 1_000), "{seen:?}");
+}
+
+#[test]
+fn debug_me() {
+    let ball = ball();
+    let mesh = Mesh::new(Tables { materials: &MATERIALS, ..*ball.mesh().tables() }).unwrap();
+    let poses = poses();
+    let (two, half) = (Scalar::from_num(2), Scalar::lit("0.5"));
+    let camera = at("3", DISPLAY);
+    for (i, pose) in poses.iter().enumerate() {
+        let object = Object::new(&mesh, Unlit::<Rgb888>::new())
+            .posed(*pose)
+            .shaped(&Matrix::scaling(two, half, -two));
+        let p = object.project_on_demand::<_, S4, u16>(&camera, S4).unwrap();
+        let whole = picture::<u16>(ROWS, |f| p.draw(f));
+        let b = picture::<u16>(1, |f| p.draw(f));
+        let mut rows = [RowRange::EMPTY; 1];
+        let scene = Scene::new((object,), &camera, S4, &mut rows).unwrap();
+        let w = picture::<u16>(ROWS, |f| scene.draw(f));
+        let s = picture::<u16>(1, |f| scene.draw(f));
+        let d = whole.drawn(BACKGROUND);
+        println!(
+            "{i} bands {} scene whole {} scene {} rows {:?} {:?} {:?}",
+            whole == b,
+            whole == w,
+            whole == s,
+            scene.rows()[0].rows(),
+            d.iter().map(|p| p.y).min(),
+            d.iter().map(|p| p.y).max()
+        );
+    }
 }

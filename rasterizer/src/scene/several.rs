@@ -54,7 +54,45 @@ use crate::{
 /// frame.
 ///
 /// That is for many small objects, which reach few bands. A large one takes less time if its
-/// vertices are kept: put a reference to its [`Projected`](super::Projected) into the tuple.
+/// vertices are kept, and its bins: put a reference to its [`Projected`](super::Projected) into the
+/// tuple. Such objects share one array of vertices, if their shaders have varyings of one type, and
+/// one of words; each takes its part of them:
+///
+/// ```
+/// # use embedded_graphics_core::{geometry::Size, pixelcolor::Rgb565};
+/// # use rasterizer::{mesh::Mesh, output::Frame, prelude::*};
+/// use rasterizer::scene::{Needs, Scene};
+///
+/// # static SHIP: Mesh<'static> = rasterizer::mesh::Card::<1, 1>::CENTERED;
+/// # static HARBOUR: Mesh<'static> = rasterizer::mesh::Card::<1, 4>::STANDING;
+/// # fn draw(
+/// #     ship: Object<'_, Flat<Rgb565>>,
+/// #     harbour: Object<'_, Flat<Rgb565>>,
+/// #     camera: &Camera,
+/// #     bands: &mut [Frame<'_, Rgb565, &mut [u16]>],
+/// # ) -> Result<(), Box<dyn core::error::Error>> {
+/// const OF_SHIP: Needs = Needs::of(&SHIP, Size::new(240, 240), 16);
+/// const OF_HARBOUR: Needs = Needs::of(&HARBOUR, Size::new(240, 240), 16);
+/// let mut vertices = [ScreenVertex::<S4, u16, _>::EMPTY; OF_SHIP.vertices + OF_HARBOUR.vertices];
+/// let mut words = [0; OF_SHIP.bin_words + OF_HARBOUR.bin_words];
+///
+/// let (mut vertices, mut words) = (&mut vertices[..], &mut words[..]);
+/// let mut part = |needs: Needs| {
+///     let vertices = vertices.split_off_mut(..needs.vertices)?;
+///     Some((vertices, words.split_off_mut(..needs.bin_words)?))
+/// };
+/// let (of_ship, bins_of_ship) = part(OF_SHIP).unwrap_or_default();
+/// let (of_harbour, bins_of_harbour) = part(OF_HARBOUR).unwrap_or_default();
+/// let ship = ship.project(camera, of_ship)?.binned(16, bins_of_ship)?;
+/// let harbour = harbour.project(camera, of_harbour)?.binned(16, bins_of_harbour)?;
+/// let scene = Scene::new((&ship, &harbour), camera, S4, &mut [])?;
+/// for band in bands {
+///     scene.draw(band)?;
+/// }
+/// # Ok(())
+/// # }
+/// # let _ = draw;
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'s, C, P: Projection, S, D, const N: usize = 32> {
     contents: C,
