@@ -123,6 +123,44 @@ fn convert_writes_the_static_and_reports() {
 }
 
 #[test]
+fn convert_writes_several_shapes() {
+    let directory = directory_with("a.obj", CUBE);
+    let path = directory.path();
+    fs::write(path.join("b.obj"), CUBE.replace("v 1 1 1", "v 1 3 1")).unwrap();
+    let report = succeed(path, "convert a.obj b.obj --name box");
+    assert!(report.contains("Wrote a.rs: statics BOX and BOX_KEYFRAMES"), "{report}");
+    assert!(report.contains("  keyframes"), "{report}");
+    let source = fs::read_to_string(path.join("a.rs")).unwrap();
+    assert!(source.contains("pub static BOX_KEYFRAMES:") && source.contains("POSITIONS_1"));
+    let json: Value = serde_json::from_str(&succeed(path, "convert a.obj b.obj --json")).unwrap();
+    assert!(json["flash"]["keyframes"].as_u64() > Some(100), "{json}");
+
+    fs::write(path.join("c.obj"), CUBE.replace("f 4 1 5 8", "f 4 1 5")).unwrap();
+    let error = refuse(path, "convert a.obj b.obj c.obj");
+    let difference = "c.obj:14: the face has 3 corners and not 4 as at a.obj:14";
+    assert!(error.contains(difference), "{error}");
+    // Neither of the files is overwritten, and the standard input is one file.
+    refuse(path, "convert a.obj b.obj -o b.obj");
+    assert!(refuse(path, "convert a.obj -").contains("standard input"));
+    assert!(refuse(path, "convert a.obj b.obj -o a.bin").contains("one shape"));
+}
+
+#[test]
+fn convert_writes_bytes_to_a_file_of_that_name() {
+    let directory = directory_with("a.obj", CUBE);
+    let path = directory.path();
+    let report = succeed(path, "convert a.obj -o a.bin");
+    assert!(report.contains("Wrote a.bin: a mesh"), "{report}");
+    let bytes = fs::read(path.join("a.bin")).unwrap();
+    assert!(bytes.starts_with(b"RMSH"));
+    assert_eq!(bytes[8..12], (bytes.len() as u32).to_le_bytes());
+    // It is ours to overwrite, and another file is not.
+    succeed(path, "convert a.obj -o a.bin");
+    fs::write(path.join("b.bin"), "by hand").unwrap();
+    assert!(refuse(path, "convert a.obj -o b.bin").contains("--force"));
+}
+
+#[test]
 fn convert_overwrites_only_its_own_files() {
     let directory = directory_with("a.obj", CUBE);
     let path = directory.path();

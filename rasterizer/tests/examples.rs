@@ -52,11 +52,13 @@ examples! {
     glow = "../examples/glow.rs",
     gouraud = "../examples/gouraud.rs",
     highlights = "../examples/highlights.rs",
+    keyframes = "../examples/keyframes.rs",
     lamp = "../examples/lamp.rs",
     lights = "../examples/lights.rs",
     lit_texture = "../examples/lit_texture.rs",
     matcap = "../examples/matcap.rs",
     materials = "../examples/materials.rs",
+    model_file = "../examples/model_file.rs",
     needs = "../examples/needs.rs",
     oled = "../examples/oled.rs",
     own_output = "../examples/own_output.rs",
@@ -82,6 +84,7 @@ examples! {
     viewports = "../examples/viewports.rs",
     visibility = "../examples/visibility.rs",
     walk = "../examples/walk.rs",
+    wave = "../examples/wave.rs",
     wireframe = "../examples/wireframe.rs",
 }
 

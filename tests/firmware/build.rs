@@ -9,7 +9,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-use host_tools::model::{Model, Options, convert_for_build, emit, write_atomically};
+use host_tools::model::{Model, Options, blob, convert_for_build, emit, write_atomically};
 
 #[path = "build/textures.rs"]
 mod textures;
@@ -38,8 +38,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         let edges_degrees = ["ball", "sphere"].contains(&name).then_some(0.0);
         // Not by `convert_for_build`: Cargo would run this again at each build, for a file that is
         // newer than its last run.
-        convert(&out, &path, name, Options { edges_degrees, ..options.clone() })?;
+        let model = convert(&out, &path, name, Options { edges_degrees, ..options.clone() })?;
+        if name == "sphere" {
+            write_atomically(&out.join("sphere.bin"), blob::bytes(&model))?;
+        }
     }
+    pulse(&out, &options)?;
     textures::cube(&out, &options)?;
     textures::wooden_crate(&out, &options)?;
 
@@ -66,6 +70,24 @@ fn convert(out: &Path, obj: &Path, name: &str, options: Options) -> Result<Model
     let model = Model::load(obj, &Options { name: Some(name.to_owned()), ..options })?;
     write_atomically(&out.join(name).with_extension("rs"), emit::source(&model))?;
     Ok(model)
+}
+
+/// Converts the sphere, and one that is drawn out along its axis, as shapes of one model.
+fn pulse(out: &Path, options: &Options) -> Result<(), Box<dyn Error>> {
+    let round = sphere(24, 13)?;
+    let long: String = round
+        .lines()
+        .map(|line| match line.split(' ').collect::<Vec<_>>()[..] {
+            ["v", x, y, z] => Ok(format!("v {x} {} {z}\n", 1.5 * y.parse::<f64>()?)),
+            _ => Ok(format!("{line}\n")),
+        })
+        .collect::<Result<_, std::num::ParseFloatError>>()?;
+    let files = [("round.obj", &round), ("long.obj", &long)];
+    let [first, second] = files.map(|(name, text)| (Path::new(name), text.as_bytes()));
+    let options = Options { name: Some("pulse".to_owned()), ..options.clone() };
+    let model = Model::keyframes_from_bytes(first, &[second], &options)?;
+    write_atomically(&out.join("pulse.rs"), emit::source(&model))?;
+    Ok(())
 }
 
 /// Sets the memory of the board in QEMU, or that of another board, which `FIRMWARE_MEMORY` names as

@@ -13,6 +13,8 @@ mod arms;
 mod back_to_front;
 mod bands;
 mod billboards;
+#[cfg(not(rasterizer_narrow))]
+mod blobs;
 mod clip_planes;
 mod clipping;
 #[cfg(not(rasterizer_narrow))]
@@ -24,6 +26,8 @@ mod dithering;
 mod errors;
 mod extremes;
 mod frames;
+#[cfg(not(rasterizer_narrow))]
+mod keyframe_files;
 mod lights;
 mod lines;
 mod matrices;
@@ -31,6 +35,8 @@ mod metamorphic;
 mod mip_levels;
 #[cfg(not(rasterizer_narrow))]
 mod model_files;
+mod morph;
+mod moving;
 mod object_lines;
 mod packed_frames;
 mod painter;

@@ -86,3 +86,26 @@ fn lines_and_points_compile() {
         assert!(source.contains(index), "{source}");
     }
 }
+
+/// Further shapes, with all normals, some and none.
+#[test]
+fn keyframes_compile() {
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join("written_keyframes.rs");
+    let shape = |z: u32| format!("v 0 0 0\nv 1 0 0\nv 0 1 {z}\nf 1 2 3\n");
+    let [first, second, third] = [0, 1, 2].map(shape);
+    for (vertex_normals, face_normals) in [(true, true), (false, true), (false, false)] {
+        let mut options = Options::default();
+        (options.contents.vertex_normals, options.contents.face_normals) =
+            (vertex_normals, face_normals);
+        let paths = ["a.obj", "b.obj", "c.obj"].map(Path::new);
+        let further = [(paths[1], second.as_bytes()), (paths[2], third.as_bytes())];
+        let model =
+            Model::keyframes_from_bytes((paths[0], first.as_bytes()), &further, &options).unwrap();
+        let source = emit::source(&model);
+        fs::write(&file, format!("#![no_std]\n#![deny(warnings)]\n{source}")).unwrap();
+        let output = compile(&file, &["--crate-type=lib"]);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{told}\n{source}");
+        assert!(source.contains("static FURTHER: [Keyframe<'static>; 2]"), "{source}");
+    }
+}

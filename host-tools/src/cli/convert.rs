@@ -8,7 +8,7 @@ use std::{
 
 use anyhow::{Context as _, Result, bail};
 use clap::{Args, ValueEnum};
-use host_tools::model::{Contents, Fit, Model, Options, Report, emit};
+use host_tools::model::{Contents, Fit, Model, Options, Report, blob, emit};
 use serde::Serialize;
 
 use super::{
@@ -27,6 +27,12 @@ const TABLES: Kind = Kind {
     otherwise: "choose another name, remove it, or convert with --force",
 };
 
+/// Models as bytes.
+const BLOB: Kind = Kind {
+    is_ours: |start| start.starts_with(b"RMSH"),
+    otherwise: "choose another name, remove it, or convert with --force",
+};
+
 const EXAMPLES: &str = "\
 Examples:
   host-tools convert model.obj
@@ -37,11 +43,15 @@ Examples:
   host-tools convert model.obj --edges 30            Also its edges, for a wireframe
   host-tools convert model.obj --simplify 500        At most 500 triangles, and what that costs
   host-tools convert model.obj --json | jq .flash
+  host-tools convert up.obj down.obj -o bird.rs      Shapes of one model, for an animation
+  host-tools convert model.obj -o model.bin          Bytes for external flash, in place of Rust
   export | host-tools convert - -o - > model.rs       Standard input and output
 
 Use the tables as a module of the firmware (`mod model;`) and draw `model::MODEL`. The textures of
 its materials are `model::MODEL_TEXTURES`, its edges `model::MODEL_EDGES`; its lines (`l`) and points
-(`p`) are `model::MODEL_LINES` and `model::MODEL_POINTS`, a table for each material.";
+(`p`) are `model::MODEL_LINES` and `model::MODEL_POINTS`, a table for each material. Of several files
+`model::MODEL_KEYFRAMES` has all shapes; the files have the same faces, texture coordinates and
+materials. `Mesh::from_bytes` reads a file that ends with .bin.";
 
 /// Write a model as const tables in Rust
 #[derive(Debug, Args)]
@@ -49,8 +59,13 @@ its materials are `model::MODEL_TEXTURES`, its edges `model::MODEL_EDGES`; its l
 pub(super) struct Arguments {
     /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
-    /// Where to write the tables; - for the standard output, without the report [default: the
-    /// model's name with .rs, in this directory]
+    /// Further shapes of the model, for an animation: OBJ files that differ in positions and
+    /// normals alone
+    #[arg(value_name = "SHAPE")]
+    shapes: Vec<PathBuf>,
+    /// Where to write the tables: as Rust, or to a name that ends with .bin as bytes; - for the
+    /// standard output, without the report [default: the model's name with .rs, in this
+    /// directory]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// The name of the static, written in capitals [default: that of the model]
@@ -140,13 +155,27 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     if is_standard && arguments.json {
         bail!("--json and -o - both write to the standard output: leave out one");
     }
-    let model = load(&arguments.model, &arguments.options())?;
+    let is_blob = path.extension().is_some_and(|extension| extension == "bin");
+    if is_blob && !arguments.shapes.is_empty() {
+        bail!("a .bin file holds one shape: convert several to Rust, or each to its own file");
+    }
+    let model = if arguments.shapes.is_empty() {
+        load(&arguments.model, &arguments.options())?
+    } else {
+        load_shapes(arguments)?
+    };
     if is_standard {
         return Ok(emit::source(&model).into());
     }
     let inputs = output::inputs(&model);
-    allow(&path, Overwriting { force: arguments.force, inputs: &inputs })?;
-    write(&model, &path)?;
+    let overwriting = Overwriting { force: arguments.force, inputs: &inputs };
+    let kind = if is_blob { BLOB } else { TABLES };
+    output::allow(&path, kind, overwriting)?;
+    if is_blob {
+        output::write(&path, &blob::bytes(&model))?;
+    } else {
+        write(&model, &path)?;
+    }
     let text = if arguments.json {
         json(arguments, &path, &model)?
     } else {
@@ -154,7 +183,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
         if let Some(textures) = &model.textures {
             write!(text, "{textures}")?;
         }
-        writeln!(text, "\nWrote {}: {}", path.display(), statics(&model))?;
+        let what = if is_blob { "a mesh".to_owned() } else { statics(&model) };
+        writeln!(text, "\nWrote {}: {what}", path.display())?;
         text
     };
     Ok(text.into())
@@ -164,6 +194,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
 pub(super) fn statics(model: &Model) -> String {
     let name = &model.name;
     let others = [
+        (!model.keyframes.is_empty(), "KEYFRAMES"),
         (!model.edges.is_empty(), "EDGES"),
         (!model.lines.is_empty(), "LINES"),
         (!model.points.is_empty(), "POINTS"),
@@ -206,10 +237,28 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Model> {
             Model::load(path, options)?
         }
     };
+    warn(&model);
+    Ok(model)
+}
+
+/// Loads a model in several shapes and prints its warnings.
+fn load_shapes(arguments: &Arguments) -> Result<Model> {
+    let (first, further) = (&arguments.model, &arguments.shapes);
+    if std::iter::once(first).chain(further).any(|path| output::is_standard(path)) {
+        bail!("several shapes cannot be read from the standard input: name their files");
+    }
+    let model = {
+        let _progress = Progress::over(1, "reading the shapes");
+        Model::load_keyframes(first, further, &arguments.options())?
+    };
+    warn(&model);
+    Ok(model)
+}
+
+fn warn(model: &Model) {
     for warning in &model.warnings {
         output::complain("warning", warning);
     }
-    Ok(model)
 }
 
 /// Refuses a path for tables.

@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, HashSet};
 use rustc_hash::FxHashMap;
 
 use super::{
-    polygons::Polygons, source::Statement, vector::Vector, vertex_colors::VertexColors,
+    keyframes, polygons::Polygons, source::Statement, vector::Vector, vertex_colors::VertexColors,
     weld::Welded,
 };
 
@@ -139,6 +139,7 @@ pub(super) fn place(
         *known.entry((end.position, color)).or_insert_with(|| {
             welded.positions.push(end.position);
             welded.normals.push([0.0; 3]);
+            welded.further.push(keyframes::NONE);
             welded.textures.push([0.0; 2]);
             welded.colors.extend(color);
             welded.positions.len() as u32 - 1

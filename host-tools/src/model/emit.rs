@@ -10,7 +10,7 @@ use std::fmt::{Display, Write as _};
 use rasterizer::mesh::{Finish, Material};
 
 use super::{
-    Indices, Model, TextureTable, emit_lines, emit_textures,
+    Indices, Model, TextureTable, emit_keyframes, emit_lines, emit_textures,
     report::{grouped, thousands},
 };
 
@@ -27,6 +27,7 @@ pub fn source(model: &Model) -> String {
     // Writing to a string cannot fail.
     let _ = header(&mut out, model)
         .and_then(|()| mesh(&mut out, model))
+        .and_then(|()| emit_keyframes::keyframes(&mut out, model))
         .and_then(|()| emit_lines::edges(&mut out, model))
         .and_then(|()| emit_lines::lines(&mut out, model))
         .and_then(|()| emit_lines::points(&mut out, model))

@@ -1,6 +1,6 @@
 //! What can go wrong between a file and its tables, and what to do about it.
 
-use std::{io, path::PathBuf};
+use std::{fmt, io, path::PathBuf};
 
 use thiserror::Error;
 
@@ -218,6 +218,31 @@ pub enum ModelError {
         /// The parser's error.
         source: tobj::LoadError,
     },
+    /// Two files of an animation differ in more than positions and normals.
+    #[error(
+        "{}:{line}: {difference} at {}:{first_line}: the files of an animation need the same faces, \
+         texture coordinates and materials in the same order: export them from one model",
+        shown(.path),
+        shown(.first)
+    )]
+    Topology {
+        /// The file that differs from the first.
+        path: PathBuf,
+        /// Its line.
+        line: usize,
+        /// The first file.
+        first: PathBuf,
+        /// The line of the first file that it differs from.
+        first_line: usize,
+        /// What differs.
+        difference: Difference,
+    },
+    /// Several shapes of one model are to be simplified.
+    #[error(
+        "only a single file can be simplified: the shapes of an animation need the same triangles. \
+         Simplify the model first, and then move it"
+    )]
+    SimplifiedKeyframes,
     /// The result cannot be written.
     #[error("{} cannot be written: {source}: {}", shown(.path), remedy(source))]
     Write {
@@ -241,6 +266,76 @@ fn remedy(error: &io::Error) -> &'static str {
         }
         io::ErrorKind::InvalidFilename => "choose another name",
         _ => "check that its directory exists and is writable",
+    }
+}
+
+/// What a file of an animation has, and then what the first file has.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Difference {
+    /// Faces.
+    FaceCount {
+        /// How many.
+        counts: [usize; 2],
+    },
+    /// Corners of a face.
+    CornerCount {
+        /// How many.
+        counts: [usize; 2],
+    },
+    /// A corner of a face has another vertex.
+    Vertex {
+        /// Which corner, from 1.
+        corner: usize,
+        /// The numbers of the vertices, from 1.
+        vertices: [usize; 2],
+    },
+    /// A corner of a face has other texture coordinates.
+    Texture {
+        /// Which corner, from 1.
+        corner: usize,
+        /// The texture coordinates, if it has any.
+        textures: [Option<[f64; 2]>; 2],
+    },
+    /// A face has another material.
+    Material {
+        /// The names, if there are any.
+        names: [Option<String>; 2],
+    },
+    /// Lines (`l`) or points (`p`).
+    Elements,
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::FaceCount { counts: [count, first] } => {
+                write!(f, "there are {count} faces and not {first} as")
+            }
+            Self::CornerCount { counts: [count, first] } => {
+                write!(f, "the face has {count} corners and not {first} as")
+            }
+            Self::Vertex { corner, vertices: [vertex, first] } => {
+                write!(f, "corner {corner} of the face is vertex {vertex} and not {first} as")
+            }
+            Self::Texture { corner, textures: [own, first] } => {
+                let text = |texture: &Option<[f64; 2]>| {
+                    texture.map_or_else(|| "none".into(), |[u, v]| format!("({u}, {v})"))
+                };
+                let (own, first) = (text(own), text(first));
+                write!(
+                    f,
+                    "corner {corner} of the face has texture coordinates {own} and not {first} as"
+                )
+            }
+            Self::Material { names: [own, first] } => {
+                let text = |name: &Option<String>| {
+                    name.as_ref()
+                        .map_or_else(|| "no material".into(), |n| format!("material `{n}`"))
+                };
+                write!(f, "{} and not {} as", text(own), text(first))
+            }
+            Self::Elements => f.write_str("lines (`l`) or points (`p`) are not those"),
+        }
     }
 }
 

@@ -2,20 +2,23 @@
 //!
 //! [`Model::load`] checks the file line by line, cuts its polygons into triangles, computes the
 //! normals it lacks, merges equal vertices, fits and quantises them, and orders the triangles for
-//! vertex reuse. [`emit::source`] writes the result as Rust; [`convert_for_build`] does all of it
-//! from a build script; [`Model::mesh`] gives the same tables at run time. [`Exact`] keeps their
-//! values before rounding. With [`Options::simplify`] fewer triangles are left.
+//! vertex reuse. [`emit::source`] writes the result as Rust, [`blob::bytes`] as a binary file;
+//! [`convert_for_build`] does all of it from a build script; [`Model::mesh`] gives the same tables
+//! at run time. [`Exact`] keeps their values before rounding. With [`Options::simplify`] fewer
+//! triangles are left. [`Model::load_keyframes`] converts several files, the shapes of one model.
 //!
 //! The converter reads positions, normals, texture coordinates, faces, lines, points, diffuse
 //! colours, textures and finishes of an OBJ file, the colours of its vertices (`v x y z r g b`),
 //! and its smoothing groups where it has no normals. What else a file shows and the tables cannot
 //! hold, such as curves and textures of opacity, it leaves out with a warning for each kind.
 
+pub mod blob;
 mod cap;
 mod ears;
 mod edges;
 mod elements;
 pub mod emit;
+mod emit_keyframes;
 mod emit_lines;
 mod emit_textures;
 mod error;
@@ -23,13 +26,17 @@ mod faces;
 mod fit;
 mod flattening;
 mod ignored;
+mod indices;
+mod keyframes;
 mod libraries;
 mod library_path;
+mod measure;
 mod mtl;
 mod normals;
 mod options;
 mod order;
 mod polygons;
+mod provenance;
 mod quantize;
 mod quote;
 mod report;
@@ -42,6 +49,7 @@ mod tests;
 mod texture_coordinates;
 mod texture_map;
 mod textures;
+mod topology;
 mod triangulate;
 mod validate;
 mod vector;
@@ -54,13 +62,16 @@ mod write;
 use std::path::{Path, PathBuf};
 
 use rasterizer::{
-    mesh::{Finish, Material, Mesh, Normals, Positions, Tables, Triangles},
+    mesh::{Finish, Keyframe, Material, Mesh, Normals, Positions, Tables},
     numbers::{Scale, Vec3},
 };
 
-pub use error::{LineFault, ModelError};
+pub use error::{Difference, LineFault, ModelError};
 pub use faces::{Face, Faces};
+pub use indices::Indices;
+pub use keyframes::Shape;
 pub use options::{Contents, Fit, Options};
+pub use provenance::Provenance;
 pub use quote::printable;
 pub use report::{Flash, Report, Simplification, thousands};
 pub use texture_coordinates::TextureTable;
@@ -74,7 +85,7 @@ use libraries::Pictures;
 use polygons::Polygons;
 use smoothing::Smoothing;
 use triangulate::Triangle;
-use vector::{Vector, length, sub};
+use vector::Vector;
 use weld::Welded;
 
 /// A converted model.
@@ -116,48 +127,14 @@ pub struct Model {
     pub finishes: Vec<Finish>,
     /// The textures of the materials, if any of them has one.
     pub textures: Option<Textures>,
+    /// Further shapes of the model, each of another file.
+    pub keyframes: Vec<Shape>,
     /// The tables before rounding.
     pub exact: Exact,
     /// What the conversion changes.
     pub report: Report,
     /// What the conversion ignores.
     pub warnings: Vec<String>,
-}
-
-/// Vertex indices in the smallest type that holds them.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Indices {
-    /// For up to 256 vertices.
-    U8(Vec<[u8; 3]>),
-    /// For up to 65,536 vertices.
-    U16(Vec<[u16; 3]>),
-}
-
-impl Indices {
-    fn new(triangles: &[[u32; 3]], vertices: usize) -> Self {
-        if vertices <= 1 << 8 {
-            Self::U8(triangles.iter().map(|t| t.map(|i| i as u8)).collect())
-        } else {
-            Self::U16(triangles.iter().map(|t| t.map(|i| i as u16)).collect())
-        }
-    }
-
-    /// The bytes of an index.
-    const fn index_bytes(&self) -> usize {
-        match self {
-            Self::U8(_) => 1,
-            Self::U16(_) => 2,
-        }
-    }
-
-    /// Borrows them for a mesh.
-    #[must_use]
-    pub fn as_triangles(&self) -> Triangles<'_> {
-        match self {
-            Self::U8(triangles) => Triangles::U8(triangles),
-            Self::U16(triangles) => Triangles::U16(triangles),
-        }
-    }
 }
 
 /// The values of the tables before rounding, in the same order and units. A table that is left out
@@ -175,31 +152,6 @@ pub struct Exact {
     pub texture_coordinates: Vec<[f64; 2]>,
     /// The faces of the file, not yet cut into triangles.
     pub faces: Faces,
-}
-
-/// A file that a model is made from.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Provenance {
-    /// Its name without directories.
-    pub file_name: String,
-    /// Its size.
-    pub bytes: usize,
-    /// The 64-bit FNV-1a hash of its bytes (Fowler, Noll and Vo), which is the same in every
-    /// version of a library or compiler.
-    pub hash: u64,
-}
-
-impl Provenance {
-    fn of(path: &Path, bytes: &[u8]) -> Self {
-        let hash = bytes.iter().fold(0xCBF2_9CE4_8422_2325, |hash: u64, &byte| {
-            (hash ^ u64::from(byte)).wrapping_mul(0x100_0000_01B3)
-        });
-        Self {
-            file_name: path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-            bytes: bytes.len(),
-            hash,
-        }
-    }
 }
 
 impl Model {
@@ -222,6 +174,44 @@ impl Model {
     ///
     /// Returns the errors of [`Self::load`], except those of reading the file.
     pub fn from_bytes(path: &Path, bytes: &[u8], options: &Options) -> Result<Self, ModelError> {
+        Self::keyframes_from_bytes((path, bytes), &[], options)
+    }
+
+    /// Converts OBJ files of one model in several shapes: the first one, and as its
+    /// [keyframes](Self::keyframes) what vertices and normals are in the others. Faces, texture
+    /// coordinates and materials are the same in all of them; colours, textures and what else they
+    /// show is that of the first one. All have one scale and one offset.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`Self::load`] for each of the files, and
+    /// [`Topology`](ModelError::Topology) for the first difference between two of them.
+    pub fn load_keyframes(
+        first: impl AsRef<Path>,
+        further: &[PathBuf],
+        options: &Options,
+    ) -> Result<Self, ModelError> {
+        let path = first.as_ref();
+        let bytes = source::read(path)?;
+        let further: Vec<(&Path, Vec<u8>)> = further
+            .iter()
+            .map(|path| Ok((path.as_path(), source::read(path)?)))
+            .collect::<Result<_, ModelError>>()?;
+        let further: Vec<_> = further.iter().map(|(path, bytes)| (*path, &bytes[..])).collect();
+        Self::keyframes_from_bytes((path, &bytes), &further, options)
+    }
+
+    /// Converts the contents of OBJ files as [`load_keyframes`](Self::load_keyframes) does. Each
+    /// has the path that names it in messages.
+    ///
+    /// # Errors
+    ///
+    /// Returns the errors of [`Self::load_keyframes`], except those of reading the files.
+    pub fn keyframes_from_bytes(
+        (path, bytes): (&Path, &[u8]),
+        others: &[(&Path, &[u8])],
+        options: &Options,
+    ) -> Result<Self, ModelError> {
         let degrees = options.crease_degrees;
         if !(0.0..=180.0).contains(&degrees) {
             return Err(ModelError::Crease { degrees });
@@ -241,20 +231,26 @@ impl Model {
         };
         let mut libraries = libraries::load(path, &checked, options.contents, pictures);
         let mut polygons = polygons::read(path, &checked, &libraries)?;
+        if options.simplify.is_some() && !others.is_empty() {
+            return Err(ModelError::SimplifiedKeyframes);
+        }
+        let first = (path, &checked, &mut polygons);
+        let mut further = keyframes::read(first, others, &libraries, options.contents)?;
         if options.simplify.is_none() {
             at_most_16_bits(path, polygons.positions.len())?;
         }
 
-        let mut shape = fit::to_common_size(&polygons.positions);
-        if fit::has_no_size(&shape) {
+        let mut shapes = keyframes::shapes(&polygons, &further);
+        if fit::has_no_size(&shapes.concat()) {
             return Err(ModelError::NoSize { path: path.into() });
         }
-        let winding = winding::judge(&polygons, &shape);
+        let winding = winding::judge(&polygons, &shapes[0]);
         if options.fix_winding {
-            winding.mend(&mut polygons, &shape);
+            let all = std::iter::once(&mut polygons).chain(&mut further);
+            all.zip(&shapes).for_each(|(polygons, shape)| winding.mend(polygons, shape));
         }
         checked.warnings.extend(winding.warning(path, options.fix_winding));
-        let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shape);
+        let (mut corners, dropped_triangles) = triangulate::triangulate(&polygons, &shapes);
         let normals = |corners: &mut [Triangle], shape: &[Vector]| {
             if !options.smoothing_groups {
                 corners.iter_mut().for_each(|triangle| triangle.smoothing = Smoothing::Unstated);
@@ -270,23 +266,24 @@ impl Model {
             && smoothing::matters(&corners);
         let (mut frame, mut simplification) = (None, None);
         if let Some(most) = options.simplify {
+            let shape = &mut shapes[0];
             let is_textured = pictures == Pictures::Kept || options.contents.texture_coordinates;
             let found = simplify::simplify(
                 path,
-                (&polygons, &shape),
-                (&corners, &normals(&mut corners.clone(), &shape)),
+                (&polygons, shape),
+                (&corners, &normals(&mut corners.clone(), shape)),
                 (options.contents, is_textured),
                 most,
             )?;
             if let Some(simplified) = found {
-                frame = Some(used(&polygons, &corners, &shape));
+                frame = Some(used(&polygons, &corners, shape));
                 checked.face_lines =
                     simplify::lines_of(&polygons, &checked.face_lines, &simplified);
-                shape = simplified.kept.iter().map(|&i| shape[i as usize]).collect();
+                *shape = simplified.kept.iter().map(|&i| shape[i as usize]).collect();
                 polygons = simplified.polygons;
                 simplification = Some(simplified.report);
                 checked.warnings.extend(simplified.warning);
-                (corners, _) = triangulate::triangulate(&polygons, &shape);
+                (corners, _) = triangulate::triangulate(&polygons, &shapes);
             }
             at_most_16_bits(path, polygons.positions.len())?;
         }
@@ -306,6 +303,14 @@ impl Model {
             return Err(ModelError::NoArea { path: path.into(), faces: checked.faces });
         }
         let (used, ranks) = sort_by_material(&mut corners, &polygons);
+        let mut moved: Vec<Vec<Triangle>> = further
+            .iter()
+            .map(|polygons| {
+                let (mut corners, _) = triangulate::triangulate(polygons, &shapes);
+                corners.sort_by_key(|triangle| ranks[triangle.material]);
+                corners
+            })
+            .collect();
         let loaded = match options.textures.filter(|_| pictures == Pictures::Kept) {
             None => None,
             Some(textures) => {
@@ -334,8 +339,15 @@ impl Model {
         let finishes: Vec<Finish> = used.iter().map(|&(id, _)| libraries.finish(id)).collect();
         let is_matte = finishes.iter().all(|&finish| finish == Finish::MATTE);
         let finishes = if is_matte { Vec::new() } else { finishes };
-        let normals = normals(&mut corners, &shape);
-        let welded = weld::weld(&corners, &normals, &polygons, options.contents);
+        let moved_normals: Vec<_> = if options.contents.vertex_normals {
+            moved.iter_mut().zip(&shapes[1..]).map(|(moved, shape)| normals(moved, shape)).collect()
+        } else {
+            Vec::new()
+        };
+        let moved_normals = keyframes::CornerNormals::new(&moved_normals);
+        let normals = normals(&mut corners, &shapes[0]);
+        let numbers = &moved_normals.numbers;
+        let welded = weld::weld(&corners, &normals, numbers, &polygons, options.contents);
 
         let mut tables = order::Ordered::new(welded, &materials);
         let elements = elements::place(&polygons, &ranks, materials.len(), &mut tables.welded);
@@ -344,9 +356,15 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let (whole, shape, original) = (shape.clone(), at(&shape), at(&polygons.positions));
-        let frame = frame.as_ref().unwrap_or(&shape);
-        let fitted = fit::fit(path, &original, &shape, frame, options.fit)?;
+        let whole = &shapes[0];
+        let shapes: Vec<Vector> = shapes.iter().flat_map(|shape| at(shape)).collect();
+        let original: Vec<Vector> = (std::iter::once(&polygons).chain(&further))
+            .flat_map(|polygons| at(&polygons.positions))
+            .collect();
+        let frame = frame.as_ref().unwrap_or(&shapes);
+        let mut fitted = fit::fit(path, &original, &shapes, frame, options.fit)?;
+        // Vertices of a shape. Those of all shapes follow each other.
+        let count = tables.welded.positions.len();
         let faces = Faces {
             texture_coordinates: file_textures,
             vertex_colors: faces::vertex_colors(&polygons, &colors),
@@ -354,25 +372,43 @@ impl Model {
                 &polygons,
                 &ranks,
                 rings,
-                &whole,
+                whole,
                 &fitted,
                 &checked.face_lines,
                 &tables.welded.positions,
             )
         };
-        let (positions, scale) =
+        let (mut positions, scale) =
             quantize::positions(&fitted.positions, fit::offset_units(fitted.offset));
+        let keyframes = (1..=others.len()).map(|number| {
+            let own = number * count..(number + 1) * count;
+            let (vertex, face) = (options.contents.vertex_normals, options.contents.face_normals);
+            let first = shapes.chunks(count).skip(number).chain(shapes.chunks(count));
+            let normal = |triangle| keyframes::normal_of_face(first.clone(), triangle);
+            let further = if vertex { &tables.welded.further[..] } else { &[] };
+            let faces = if face { &tables.welded.triangles[..] } else { &[] };
+            Shape::new(
+                positions[own.clone()].to_vec(),
+                fitted.positions[own].to_vec(),
+                moved_normals.of_file(number - 1, further),
+                faces.iter().map(normal).collect(),
+            )
+        });
+        let keyframes: Vec<Shape> = keyframes.collect();
+        positions.truncate(count);
+        fitted.positions.truncate(count);
+        let (original, shape) = (&original[..count], &shapes[..count]);
         let rounding = flattening::Rounding {
             written: &polygons.positions,
-            original: &original,
-            shape: &shape,
+            original,
+            shape,
             rounded: &positions,
         };
         let triangles = &tables.welded.triangles;
         checked.warnings.extend(flattening::warning(path, &statements, triangles, rounding));
         let mut exact = Exact {
             faces,
-            ..exact(path, options.contents, &checked, fitted.positions, &shape, &tables.welded)?
+            ..exact(path, options.contents, &checked, fitted.positions, &shapes, &tables.welded)?
         };
         let textures = loaded.as_ref().map(|loaded| &loaded.textures);
         let repeats = textures.is_none_or(|textures| textures.wrap[0] == TextureWrap::Repeat);
@@ -396,8 +432,20 @@ impl Model {
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let mut model = Self {
             name: emit::static_name(options.name.as_deref().unwrap_or(&stem)),
-            provenance: [vec![Provenance::of(path, bytes)], libraries.files, files].concat(),
-            inputs: [vec![path.into()], libraries.paths, pictures].concat(),
+            provenance: [
+                vec![Provenance::of(path, bytes)],
+                others.iter().map(|(path, bytes)| Provenance::of(path, bytes)).collect(),
+                libraries.files,
+                files,
+            ]
+            .concat(),
+            inputs: [
+                vec![path.into()],
+                others.iter().map(|&(path, _)| path.into()).collect(),
+                libraries.paths,
+                pictures,
+            ]
+            .concat(),
             vertex_normals: exact.vertex_normals.iter().map(|&n| quantize::normal(n)).collect(),
             face_normals: exact.face_normals.iter().map(|&n| quantize::normal(n)).collect(),
             triangles: Indices::new(&tables.welded.triangles, positions.len()),
@@ -413,6 +461,7 @@ impl Model {
             materials,
             finishes,
             textures,
+            keyframes,
             exact,
             report: Report {
                 file_vertices: checked.vertices,
@@ -457,46 +506,10 @@ impl Model {
         })
     }
 
-    /// Fills in the figures that compare the tables with the exact values.
-    fn measure(&mut self) {
-        let offset = fit::offset_units(self.offset);
-        let distances = self
-            .positions
-            .iter()
-            .zip(&self.exact.positions)
-            .map(|(&q, &p)| length(sub(quantize::position(q, self.scale, offset), p)));
-        let squares: f64 = distances.clone().map(|d| d * d).sum();
-        let normal_errors = (self.vertex_normals.iter().zip(&self.exact.vertex_normals))
-            .chain(self.face_normals.iter().zip(&self.exact.face_normals))
-            .map(|(&q, &n)| quantize::normal_error(q, n));
-        let rounded = self.texture_coordinates.rounded();
-        let texture_errors = (rounded.as_flattened().iter())
-            .zip(self.exact.texture_coordinates.as_flattened())
-            .map(|(q, t)| (q - t).abs());
-        let report = &mut self.report;
-        report.vertices = self.positions.len();
-        report.size = fit::diagonal(&self.exact.positions);
-        report.position_error_max = distances.fold(0.0, f64::max);
-        report.position_error_rms = (squares / self.positions.len() as f64).sqrt();
-        report.normal_error_degrees = normal_errors.fold(0.0, f64::max).to_degrees();
-        report.texture_error = texture_errors.fold(0.0, f64::max);
-        report.flash = Flash {
-            positions: size_of_val(&self.positions[..]),
-            vertex_normals: size_of_val(&self.vertex_normals[..]),
-            face_normals: size_of_val(&self.face_normals[..]),
-            texture_coordinates: self.texture_coordinates.bytes(),
-            vertex_colors: size_of_val(&self.vertex_colors[..]),
-            triangles: match &self.triangles {
-                Indices::U8(triangles) => size_of_val(&triangles[..]),
-                Indices::U16(triangles) => size_of_val(&triangles[..]),
-            },
-            edges: 2 * self.edges.len() * self.triangles.index_bytes(),
-            lines: 2 * report.lines * self.triangles.index_bytes(),
-            points: report.points * self.triangles.index_bytes(),
-            materials: size_of_val(&self.materials[..]),
-            finishes: size_of_val(&self.finishes[..]),
-            textures: self.textures.as_ref().map_or(0, Textures::bytes),
-        };
+    /// Returns its further shapes, for [`Keyframes::new`](rasterizer::mesh::Keyframes::new).
+    #[must_use]
+    pub fn further_shapes(&self) -> Vec<Keyframe<'_>> {
+        self.keyframes.iter().map(Shape::keyframe).collect()
     }
 }
 
@@ -545,15 +558,14 @@ fn exact(
     contents: Contents,
     checked: &validate::Checked,
     positions: Vec<Vector>,
-    shape: &[Vector],
+    shapes: &[Vector],
     welded: &Welded,
 ) -> Result<Exact, ModelError> {
     if contents.texture_coordinates && checked.textured_corners == 0 {
         return Err(ModelError::NoTextureCoordinates { path: path.into() });
     }
-    let face_normal = |t: &[u32; 3]| normals::face_normal(t.map(|v| shape[v as usize]));
+    let face_normal = |t: &[u32; 3]| keyframes::normal_of_face(shapes.chunks(positions.len()), t);
     Ok(Exact {
-        positions,
         vertex_normals: if contents.vertex_normals { welded.normals.clone() } else { Vec::new() },
         face_normals: if contents.face_normals {
             welded.triangles.iter().map(face_normal).collect()
@@ -565,6 +577,7 @@ fn exact(
         } else {
             Vec::new()
         },
+        positions,
         ..Exact::default()
     })
 }

@@ -39,6 +39,7 @@ impl Ordered {
         Self {
             welded: Welded {
                 positions: vertices.iter().map(|&v| welded.positions[v]).collect(),
+                further: vertices.iter().map(|&v| welded.further[v]).collect(),
                 normals: vertices.iter().map(|&v| welded.normals[v]).collect(),
                 textures: vertices.iter().map(|&v| welded.textures[v]).collect(),
                 colors: vertices.iter().filter_map(|&v| welded.colors.get(v).copied()).collect(),

@@ -99,12 +99,14 @@ pub struct Flash {
     pub finishes: usize,
     /// Texels, palettes and planes of alpha.
     pub textures: usize,
+    /// Positions and normals of further shapes.
+    pub keyframes: usize,
 }
 
 impl Flash {
     /// The tables by name.
     #[must_use]
-    pub const fn tables(&self) -> [(&'static str, usize); 12] {
+    pub const fn tables(&self) -> [(&'static str, usize); 13] {
         [
             ("positions", self.positions),
             ("vertex_normals", self.vertex_normals),
@@ -118,6 +120,7 @@ impl Flash {
             ("materials", self.materials),
             ("finishes", self.finishes),
             ("textures", self.textures),
+            ("keyframes", self.keyframes),
         ]
     }
 
@@ -203,8 +206,8 @@ impl fmt::Display for Report {
             )?;
         }
         writeln!(f, "Flash: {} bytes", thousands(self.flash.total()))?;
-        const RARE: [&str; 6] =
-            ["vertex_colors", "edges", "lines", "points", "finishes", "textures"];
+        const RARE: [&str; 7] =
+            ["vertex_colors", "edges", "lines", "points", "finishes", "textures", "keyframes"];
         let is_shown = |&(name, bytes): &(&str, usize)| !RARE.contains(&name) || bytes > 0;
         for (name, bytes) in self.flash.tables().into_iter().filter(is_shown) {
             writeln!(f, "  {name:<20}{:>10}", thousands(bytes))?;

@@ -3,7 +3,7 @@
 use std::{env, fs, path::Path};
 
 use super::{
-    vector::{angle, cross, dot},
+    vector::{angle, cross, dot, length, sub},
     *,
 };
 use crate::reference::random::Random;

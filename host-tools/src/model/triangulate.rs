@@ -25,9 +25,14 @@ pub(super) struct Triangle {
 /// Each side of a polygon is a side of one triangle. So no corner is lost, and neighbours that
 /// share a side share its vertices.
 ///
-/// `positions` are those of the polygons, scaled so that no coordinate exceeds 2.
-pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Triangle>, usize) {
-    let mut cutter = Cutter::new(positions);
+/// `shapes` are the positions of the polygons, scaled so that no coordinate exceeds 2, in each of
+/// the files of an animation. A polygon is cut as in the first of them in which it has an area.
+pub(super) fn triangulate(
+    polygons: &Polygons,
+    shapes: &[impl AsRef<[Vector]>],
+) -> (Vec<Triangle>, usize) {
+    let mut cutters: Vec<Cutter<'_>> =
+        shapes.iter().map(|positions| Cutter::new(positions.as_ref())).collect();
     let mut triangles = Vec::new();
     let mut whole = 0;
     let mut start = 0;
@@ -37,12 +42,21 @@ pub(super) fn triangulate(polygons: &Polygons, positions: &[Vector]) -> (Vec<Tri
         whole += arity - 2;
         let to_triangle = |corners| Triangle { corners, material, smoothing };
         if let &[a, b, c] = corners {
-            if has_area([a, b, c].map(|c| positions[c.position as usize])) {
+            let area = |cutter: &Cutter<'_>| {
+                has_area([a, b, c].map(|c| cutter.positions[c.position as usize]))
+            };
+            if cutters.iter().any(area) {
                 triangles.push(to_triangle([a, b, c]));
             }
         } else {
-            let cut = cutter.cut(corners);
-            triangles.extend(cut.map(|t| to_triangle(t.map(|i| corners[i as usize]))));
+            let before = triangles.len();
+            for cutter in &mut cutters {
+                let cut = cutter.cut(corners);
+                triangles.extend(cut.map(|t| to_triangle(t.map(|i| corners[i as usize]))));
+                if triangles.len() > before {
+                    break;
+                }
+            }
         }
     }
     let dropped = whole - triangles.len();
@@ -254,7 +268,7 @@ mod tests {
 
     fn cut(ring: &[Vector]) -> (Vec<[Vector; 3]>, usize) {
         let polygons = polygon(ring);
-        let (triangles, dropped) = triangulate(&polygons, &polygons.positions);
+        let (triangles, dropped) = triangulate(&polygons, &[&polygons.positions]);
         let points =
             triangles.iter().map(|t| t.corners.map(|c| ring[c.position as usize])).collect();
         (points, dropped)

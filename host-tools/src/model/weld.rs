@@ -18,15 +18,19 @@ pub(super) struct Welded {
     pub textures: Vec<[f64; 2]>,
     /// Each vertex's colour, none if the file has none or they are left out.
     pub colors: Vec<[u8; 3]>,
+    /// The number of each vertex's normals in further files.
+    pub further: Vec<u32>,
     /// Three vertices per triangle.
     pub triangles: Vec<[u32; 3]>,
 }
 
 /// Merges corners that have equal positions and equal values of all that `contents` keeps.
-/// `normals` may be empty if it keeps none; `polygons` has the colours.
+/// `normals` may be empty if it keeps none; `further` has the numbers of those in further files,
+/// and is empty without any; `polygons` has the colours.
 pub(super) fn weld(
     triangles: &[Triangle],
     normals: &[[Vector; 3]],
+    further: &[[u32; 3]],
     polygons: &Polygons,
     contents: Contents,
 ) -> Welded {
@@ -40,9 +44,12 @@ pub(super) fn weld(
             let texture = if contents.texture_coordinates { corner.texture } else { [0.0; 2] };
             let color = has_colors
                 .then(|| polygons.color(corner.color, triangle.material).map(|c| c.round() as u8));
-            *known.entry((corner.position, key(normal), key(texture), color)).or_insert_with(|| {
+            let number = further.get(index).map_or(0, |numbers| numbers[i]);
+            let name = (corner.position, key(normal), number, key(texture), color);
+            *known.entry(name).or_insert_with(|| {
                 welded.positions.push(corner.position);
                 welded.normals.push(normal);
+                welded.further.push(number);
                 welded.textures.push(texture);
                 welded.colors.extend(color);
                 welded.positions.len() as u32 - 1
@@ -82,7 +89,7 @@ mod tests {
                 texture_coordinates,
                 vertex_colors: true,
             };
-            weld(&triangles, &normals, &Polygons::default(), contents).triangles
+            weld(&triangles, &normals, &[], &Polygons::default(), contents).triangles
         };
         assert_eq!(count(false, false), [[0, 1, 2], [0, 2, 1]]);
         assert_eq!(count(true, false), [[0, 1, 2], [0, 3, 1]]);

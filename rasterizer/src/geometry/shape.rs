@@ -6,17 +6,36 @@ use super::{
     placement::{Axis, Grid},
 };
 use crate::{
-    mesh::{Mesh, Shaping},
+    mesh::{Changes, Mesh, Shaping},
     numbers::{Float, Matrix},
 };
 
-/// Whether a matrix changes an object's model before its pose places it: [`AsModelled`] or
-/// [`Shaped`].
+/// What changes an object's model before its pose places it: nothing ([`AsModelled`]), a matrix
+/// ([`Shaped`]), or another shape of its mesh ([`Morphed`](super::Morphed)).
 #[expect(private_bounds, reason = "it is sealed")]
-pub trait Shape: Copy + Change {}
+pub trait Shape: Copy + Change {
+    /// The same with a matrix.
+    type WithMatrix: Shape;
 
-impl Shape for AsModelled {}
-impl Shape for Shaped {}
+    /// The same with this matrix in place of one that it has.
+    fn with_matrix(self, matrix: &Matrix) -> Self::WithMatrix;
+}
+
+impl Shape for AsModelled {
+    type WithMatrix = Shaped;
+
+    fn with_matrix(self, matrix: &Matrix) -> Shaped {
+        Shaped::new(matrix)
+    }
+}
+
+impl Shape for Shaped {
+    type WithMatrix = Self;
+
+    fn with_matrix(self, matrix: &Matrix) -> Self {
+        Self::new(matrix)
+    }
+}
 
 /// The object has the shape that it was modelled in.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -58,8 +77,8 @@ pub(crate) trait Change: Copy {
     /// A pose of an object in this shape.
     fn posed<'a>(&'a self, pose: &'a Pose) -> Self::Posed<'a>;
 
-    /// The matrix as vertices and triangles need it.
-    fn shaping(&self) -> Option<&Shaping>;
+    /// What becomes of vertices and normals.
+    fn changes(&self) -> Changes<'_>;
 
     /// The same for the vertices of a mesh.
     #[must_use]
@@ -83,8 +102,8 @@ impl Change for AsModelled {
     }
 
     #[inline(always)]
-    fn shaping(&self) -> Option<&Shaping> {
-        None
+    fn changes(&self) -> Changes<'_> {
+        Changes::NONE
     }
 
     #[inline(always)]
@@ -113,8 +132,8 @@ impl Change for Shaped {
     }
 
     #[inline(always)]
-    fn shaping(&self) -> Option<&Shaping> {
-        Some(&self.0)
+    fn changes(&self) -> Changes<'_> {
+        Changes { shaping: Some(&self.0), ..Changes::NONE }
     }
 
     fn of_mesh(self, mesh: &Mesh<'_>) -> Self {

@@ -36,6 +36,12 @@ impl BoundingBox {
         Self { min, max }
     }
 
+    /// The smallest box that holds this one and another.
+    pub(super) const fn union(&self, other: &Self) -> Self {
+        let corners = [self.min, self.max, other.min, other.max];
+        Self::of(&corners)
+    }
+
     /// By how many bits all coordinates in the box can be shifted up and still fit 16.
     pub(super) const fn spare_bits(&self) -> u32 {
         let (mut bits, mut axis) = (0, 0);

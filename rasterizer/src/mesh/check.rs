@@ -47,6 +47,11 @@ pub enum MeshError {
         /// The material's place in the table, from 0.
         material: usize,
     },
+    /// A keyframe has a column that is not as long as the mesh's.
+    KeyframeLength {
+        /// The keyframe's place in the table, from 0.
+        keyframe: usize,
+    },
     /// The materials' triangle counts do not add up to the number of triangles.
     MaterialCoverage,
 }
@@ -77,6 +82,9 @@ impl MeshError {
             Self::VertexColorCount => "`vertex_colors` must be empty or as long as `positions`",
             Self::FinishCount => "`finishes` must be empty or as long as `materials`",
             Self::FinishExponent { .. } => "the `exponent` of a finish must be 1 to 1,000",
+            Self::KeyframeLength { .. } => {
+                "a keyframe must have as many positions and normals as the mesh"
+            }
             Self::MaterialCoverage => {
                 "the materials' `triangle_count`s must add up to the number of triangles"
             }
@@ -92,6 +100,7 @@ impl core::fmt::Display for MeshError {
             Self::LineOutOfRange { line } => write!(f, " (line {line})"),
             Self::PointOutOfRange { point } => write!(f, " (point {point})"),
             Self::FinishExponent { material } => write!(f, " (material {material})"),
+            Self::KeyframeLength { keyframe } => write!(f, " (keyframe {keyframe})"),
             Self::TextureRange { vertex } => write!(f, " (vertex {vertex})"),
             _ => Ok(()),
         }

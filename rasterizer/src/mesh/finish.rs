@@ -12,7 +12,9 @@
 /// const LAMP: Finish = Finish::MATTE.with_emission([255, 220, 120]);
 /// const GLASS: Finish = Finish::MATTE.with_specular([255; 3], 200).with_opacity(90);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+// In the order of C, which is that of `blob`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, bytemuck::AnyBitPattern)]
+#[repr(C)]
 #[non_exhaustive]
 pub struct Finish {
     /// The colour of highlights; black for none.

@@ -8,26 +8,33 @@
 //! Object space is right-handed with y up, as in OBJ. A vertex is at `offset + scale * position` in
 //! the model's own units, where `position` is three integers.
 
+pub mod blob;
 mod bounds;
 mod card;
 mod check;
 mod columns;
 mod finish;
+mod keyframes;
 mod lines;
 mod material;
+mod moving;
 mod points;
 pub mod shapes;
 mod shaping;
 mod vertex;
 
+pub use blob::{Aligned, BlobError};
 pub use bounds::BoundingBox;
 pub use card::Card;
 pub use check::MeshError;
 pub use columns::{Normals, Positions, TextureCoordinates, Triangles};
 use embedded_graphics_core::pixelcolor::Rgb888;
 pub use finish::Finish;
+pub(crate) use keyframes::Changes;
+pub use keyframes::{Keyframe, Keyframes, Progress, Tween};
 pub use lines::{Lines, Segments};
 pub use material::MeshMaterial;
+pub use moving::{Moving, MovingMesh};
 pub use points::{PointIndices, Points};
 pub(crate) use shaping::Shaping;
 pub use vertex::{MeshFace, MeshVertex, RequiredTables};
@@ -93,7 +100,9 @@ impl Tables<'_> {
 }
 
 /// A run of triangles of one colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+// In the order of C, which is that of `blob`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, bytemuck::AnyBitPattern)]
+#[repr(C)]
 #[non_exhaustive]
 pub struct Material {
     /// Diffuse colour: red, green, blue, 0 to 255, as stored in pictures (sRGB).
@@ -138,6 +147,11 @@ impl<'a> Mesh<'a> {
         }
         let bounds = BoundingBox::of(tables.positions.as_slice());
         Ok(Self { tables, bounds, spare_bits: bounds.spare_bits() })
+    }
+
+    /// The same with other bounds, which must hold all vertices.
+    const fn within(self, bounds: BoundingBox) -> Self {
+        Self { tables: self.tables, bounds, spare_bits: bounds.spare_bits() }
     }
 
     /// [`Mesh::new`] for a `static` or a `const`, where a fault stops the compiler.

@@ -104,7 +104,7 @@ impl Shaping {
         let [x, y, z] = [x, y, z].map(i32::from);
         // Three products below 2^29.
         let along = self.cofactors.map(|[a, b, c]| a * x + b * y + c * z);
-        Direction::of(along).unit.map(|c| ((c * 127 + (1 << 14)) >> 15) as i8)
+        Direction::of(along).in_127ths()
     }
 }
 

@@ -1,6 +1,6 @@
 //! Vertices and triangles of a mesh, as a shader sees them.
 
-use super::{Normals, Positions, Tables, TextureCoordinates, shaping::Shaping};
+use super::{Changes, Normals, Positions, Tables, TextureCoordinates};
 
 /// The optional tables of a mesh that a shader reads.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -63,25 +63,21 @@ fn cut<T>(column: &[T], count: usize, is_read: bool) -> Option<&[T]> {
 
 /// A vertex of a mesh. Each method reads its table when it is called.
 ///
-/// Of an object with a matrix of its own ([`Object::shaped`](crate::scene::Object::shaped))
-/// position and normal are those that the matrix makes of the table's: object space is the space
-/// after it.
+/// Of an object between two shapes ([`Object::morphed`](crate::scene::Object::morphed)) position
+/// and normal are those between them. Of an object with a matrix of its own
+/// ([`Object::shaped`](crate::scene::Object::shaped)) they are then those that the matrix makes of
+/// these: object space is the space after it.
 #[derive(Clone, Copy, Debug)]
 pub struct MeshVertex<'a> {
     tables: &'a Tables<'a>,
     index: usize,
-    // codegen: a constant where there is no matrix, as all that reads it is inlined.
-    shaping: Option<&'a Shaping>,
+    changes: Changes<'a>,
 }
 
 impl<'a> MeshVertex<'a> {
     #[inline(always)]
-    pub(crate) const fn new(
-        tables: &'a Tables<'a>,
-        index: usize,
-        shaping: Option<&'a Shaping>,
-    ) -> Self {
-        Self { tables, index, shaping }
+    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize, changes: Changes<'a>) -> Self {
+        Self { tables, index, changes }
     }
 
     /// Its position in quanta of the mesh that [`ObjectView::mesh`] returns.
@@ -91,16 +87,20 @@ impl<'a> MeshVertex<'a> {
     #[must_use]
     pub fn position(&self) -> [i16; 3] {
         let position = self.table_position();
-        match self.shaping {
+        match self.changes.shaping {
             Some(shaping) => shaping.position(position),
             None => position,
         }
     }
 
-    /// Its position in the table.
+    /// Its position in the table, or between those of two shapes.
     #[inline(always)]
     pub(crate) fn table_position(&self) -> [i16; 3] {
-        self.tables.positions.get(self.index).unwrap_or_default()
+        let position = self.tables.positions.get(self.index).unwrap_or_default();
+        match self.changes.tween {
+            Some(tween) => tween.position_from(position, self.index),
+            None => position,
+        }
     }
 
     /// Its normal in object space, 127 standing for 1; zero if the mesh has none.
@@ -108,7 +108,11 @@ impl<'a> MeshVertex<'a> {
     #[must_use]
     pub fn normal(&self) -> [i8; 3] {
         let normal = self.tables.vertex_normals.get(self.index).unwrap_or_default();
-        match self.shaping {
+        let normal = match self.changes.tween {
+            Some(tween) => tween.vertex_normal(normal, self.index),
+            None => normal,
+        };
+        match self.changes.shaping {
             Some(shaping) => shaping.normal(normal),
             None => normal,
         }
@@ -144,17 +148,19 @@ impl<'a> MeshVertex<'a> {
 pub struct MeshFace<'a> {
     tables: &'a Tables<'a>,
     index: usize,
-    shaping: Option<&'a Shaping>,
+    changes: Changes<'a>,
 }
 
 impl<'a> MeshFace<'a> {
     #[inline(always)]
-    pub(crate) const fn new(
-        tables: &'a Tables<'a>,
-        index: usize,
-        shaping: Option<&'a Shaping>,
-    ) -> Self {
-        Self { tables, index, shaping }
+    pub(crate) const fn new(tables: &'a Tables<'a>, index: usize, changes: Changes<'a>) -> Self {
+        Self { tables, index, changes }
+    }
+
+    /// A vertex of its mesh.
+    #[inline(always)]
+    const fn vertex(&self, index: usize) -> MeshVertex<'a> {
+        MeshVertex::new(self.tables, index, self.changes)
     }
 
     /// Its place in the table, from 0.
@@ -171,7 +177,7 @@ impl<'a> MeshFace<'a> {
     #[must_use]
     pub fn center(&self) -> [i16; 3] {
         let corners = self.tables.triangles.get(self.index).unwrap_or_default();
-        let corners = corners.map(|corner| self.tables.positions.get(corner).unwrap_or_default());
+        let corners = corners.map(|corner| self.vertex(corner).table_position());
         let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = corners;
         // A third is 21,845 / 2^16 within 2^-17.6. The product fits: a sum is -98,304 to 98,301.
         let third = |[a, b, c]: [i16; 3]| {
@@ -179,7 +185,7 @@ impl<'a> MeshFace<'a> {
             ((sum * 21_845 + (1 << 15)) >> 16) as i16
         };
         let center = [third([ax, bx, cx]), third([ay, by, cy]), third([az, bz, cz])];
-        match self.shaping {
+        match self.changes.shaping {
             Some(shaping) => shaping.position(center),
             None => center,
         }
@@ -190,7 +196,11 @@ impl<'a> MeshFace<'a> {
     #[must_use]
     pub fn normal(&self) -> [i8; 3] {
         let normal = self.tables.face_normals.get(self.index).unwrap_or_default();
-        match self.shaping {
+        let normal = match self.changes.tween {
+            Some(tween) => tween.face_normal(normal, self.index),
+            None => normal,
+        };
+        match self.changes.shaping {
             Some(shaping) => shaping.normal(normal),
             None => normal,
         }

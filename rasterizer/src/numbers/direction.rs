@@ -27,6 +27,14 @@ impl Direction {
     }
 }
 
+impl Direction {
+    /// The direction as a normal of a mesh, 127 standing for 1, each coordinate rounded.
+    #[inline(always)]
+    pub(crate) fn in_127ths(&self) -> [i8; 3] {
+        self.unit.map(|c| ((c * 127 + (1 << 14)) >> 15) as i8)
+    }
+}
+
 /// The direction of a vector of a length below 2^16, in Q15, within 2^-13; zero for a zero vector.
 #[inline(always)]
 pub(crate) fn unit_q15(v: [i32; 3]) -> [i32; 3] {

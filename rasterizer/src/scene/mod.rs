@@ -23,6 +23,7 @@ mod error;
 mod levels;
 mod lines;
 mod mode;
+mod morphed;
 mod needs;
 mod order;
 mod painter;
@@ -54,7 +55,7 @@ pub use vertices::{OnDemand, Vertices};
 use crate::{
     attribute::DepthFormat,
     camera::Camera,
-    geometry::{Clipping, Culling, Pose, Projection, ScreenVertex, Shape, Shaped},
+    geometry::{Clipping, Culling, Pose, Projection, ScreenVertex, Shape},
     mesh::Mesh,
     numbers::{Matrix, Subpixel},
     output::{Blending, Target},
@@ -142,8 +143,8 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias, G: Shape>
     /// `translation + rotation * (scale * (matrix * p))`.
     ///
     /// Light is as on a model that was made in that shape: normals stay at right angles to the
-    /// surface ([`Shaped`]), and in a mirror front faces stay in front. An object without a matrix
-    /// has no code for it.
+    /// surface ([`Shaped`](crate::geometry::Shaped)), and in a mirror front faces stay in front. An
+    /// object without a matrix has no code for it.
     ///
     /// ```
     /// # use embedded_graphics_core::pixelcolor::Rgb565;
@@ -160,9 +161,9 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias, G: Shape>
     /// # }
     /// ```
     #[must_use]
-    pub fn shaped(self, matrix: &Matrix) -> Object<'a, Sh, Modes<K, L, B, Z, Shaped>> {
-        let Modes { culling, clipping, blending, bias, .. } = self.mode;
-        let shape = Shaped::new(matrix);
+    pub fn shaped(self, matrix: &Matrix) -> Object<'a, Sh, Modes<K, L, B, Z, G::WithMatrix>> {
+        let Modes { culling, clipping, blending, bias, shape } = self.mode;
+        let shape = shape.with_matrix(matrix);
         self.with_mode(Modes { culling, clipping, blending, bias, shape })
     }
 }

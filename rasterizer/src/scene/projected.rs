@@ -192,7 +192,7 @@ where
                     corners
                 };
                 let triangle = Triangle::with_area(corners, area);
-                let face = MeshFace::new(self.tables(), index, self.mode.shape().shaping());
+                let face = MeshFace::new(self.tables(), index, self.mode.shape().changes());
                 let of_mesh = MeshMaterial::new(self.tables(), material);
                 let blending = self.mode.blending().of_material(&of_mesh);
                 match self.shader.face(surface, &face, &Gradients::of(&triangle)) {

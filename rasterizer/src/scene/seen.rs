@@ -173,7 +173,7 @@ where
         let corners = self.tables().triangles.get(index).unwrap_or_default();
         let mut sum = [0; 3];
         for corner in corners {
-            let position = self.tables().positions.get(corner).unwrap_or_default();
+            let position = self.vertex(corner).table_position();
             for (sum, c) in sum.iter_mut().zip(position) {
                 *sum += i32::from(c);
             }
@@ -240,13 +240,19 @@ where
         Ok(())
     }
 
+    /// A vertex of the mesh.
+    #[inline(always)]
+    fn vertex(&self, index: usize) -> MeshVertex<'_> {
+        MeshVertex::new(self.tables(), index, self.mode.shape().changes())
+    }
+
     /// Projects a vertex.
     #[inline(always)]
     pub(super) fn vertex_on_screen(
         &self,
         index: usize,
     ) -> ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>> {
-        let vertex = MeshVertex::new(self.tables(), index, self.mode.shape().shaping());
+        let vertex = self.vertex(index);
         on_screen(&self.shader, &self.transform, self.mode.clipping(), &vertex)
     }
 
@@ -283,7 +289,7 @@ where
     fn is_triangle_outside_view(&self, index: usize) -> bool {
         let indices = self.tables().triangles.get(index).unwrap_or_default();
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
-            let position = self.tables().positions.get(index).unwrap_or_default();
+            let position = self.vertex(index).table_position();
             bits & self.transform.beyond::<CoordinateOf<V, Sh>>(position, self.size())
         });
         beyond_all != 0
@@ -340,7 +346,7 @@ where
     /// A vertex that is to be clipped, with its position.
     #[inline(always)]
     pub(super) fn corner(&self, index: usize) -> Corner<CoordinateOf<V, Sh>, Sh::Varyings> {
-        let vertex = MeshVertex::new(self.tables(), index, self.mode.shape().shaping());
+        let vertex = self.vertex(index);
         (vertex.table_position(), self.vertex_in_clip_space(&vertex))
     }
 }
@@ -367,7 +373,7 @@ fn place<S: Subpixel, D: DepthFormat, P: Projection, Sh: Shader>(
     codegen::in_memory(&mut transform);
     for (index, vertex) in (0..count).zip(vertices) {
         codegen::keep_rolled();
-        let of_mesh = MeshVertex::new(&tables, index, mode.shape().shaping());
+        let of_mesh = MeshVertex::new(&tables, index, mode.shape().changes());
         *vertex = on_screen(shader, &transform, mode.clipping(), &of_mesh);
     }
 }

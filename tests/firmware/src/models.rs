@@ -8,6 +8,7 @@ include!(concat!(env!("OUT_DIR"), "/torus_knot.rs"));
 include!(concat!(env!("OUT_DIR"), "/cube.rs"));
 include!(concat!(env!("OUT_DIR"), "/sphere.rs"));
 include!(concat!(env!("OUT_DIR"), "/ball.rs"));
+include!(concat!(env!("OUT_DIR"), "/pulse.rs"));
 include!(concat!(env!("OUT_DIR"), "/colored_sphere.rs"));
 include!(concat!(env!("OUT_DIR"), "/wooden_crate.rs"));
 include!(concat!(env!("OUT_DIR"), "/wooden_crate_mips.rs"));

@@ -57,7 +57,7 @@ fn area(ring: &[Vector]) -> Vector {
 #[track_caller]
 fn check(ring: &[Vector], rounding: f64) -> Vec<Triangle> {
     let polygons = polygon(ring);
-    let (triangles, _) = triangulate(&polygons, &polygons.positions);
+    let (triangles, _) = triangulate(&polygons, &[&polygons.positions]);
     let names: Vec<u32> = polygons.corners.iter().map(|corner| corner.position).collect();
     let kept: HashSet<u32> = triangles.iter().flat_map(positions).collect();
     assert_eq!(kept, names.iter().copied().collect(), "corners of {ring:?}");

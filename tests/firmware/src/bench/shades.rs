@@ -1,5 +1,5 @@
 //! The bench scenes of light, colour, blending, fog, lines and points, of a scissor, of layers that
-//! are shaded once, and of several samples a pixel.
+//! are shaded once, of several samples a pixel, and of a mesh between two shapes.
 
 mod blend;
 mod color;
@@ -7,6 +7,7 @@ mod fog;
 mod layers;
 mod light;
 mod lines;
+mod motion;
 mod samples;
 mod scissor;
 
@@ -42,6 +43,7 @@ pub fn main<const SET_UP: bool>() {
         scenes.scissor();
         scenes.layers();
         scenes.samples();
+        scenes.motion();
     });
 }
 

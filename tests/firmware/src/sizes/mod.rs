@@ -15,6 +15,7 @@ mod fog;
 mod frames;
 mod light;
 mod lines;
+mod motion;
 mod painter;
 pub mod scenes;
 mod textured;
