@@ -180,8 +180,9 @@
 //! | pixels that may change | a wrapper of the target | all of it, or those in a rectangle: [`Scissored`](output::Scissored) |
 //! | each pixel once, where triangles overlap | a wrapper of the target | [`Once`](output::Once), with a bit for each pixel |
 //! | shapes without a file | constants | [`mesh::shapes`] |
-//! | billboards, particles | a mesh and a pose | [`Card`](mesh::Card), [`Pose::facing`](geometry::Pose::facing) the camera, sized in units or [in pixels](geometry::Pose::in_pixels) |
-//! | shadow on a plane | [`Object::clipped`](scene::Object::clipped) | [`PlanarShadow`](geometry::PlanarShadow): the object's shadow in its place |
+//! | billboards | a mesh and a pose | [`Card`](mesh::Card), [`Pose::facing`](geometry::Pose::facing) the camera, sized in units or [in pixels](geometry::Pose::in_pixels) |
+//! | particles | [`Particles::new`](scene::Particles::new) | a slice of them: [`Squares`](shade::Squares), pictures ([`Frames`](shade::Frames)); from back to front or as they come |
+//! | shadow on a plane | [`Object::clipped`](scene::Object::clipped) | [`PlanarShadow`](geometry::PlanarShadow): the object's shadow in its place; [`LampShadow`](geometry::LampShadow) in the light of a lamp |
 //! | samples a pixel | the constructor of the bands | 1, or 2 x 2 and 4 x 4 with [`Bands::supersampled`](output::Bands::supersampled); [`Frame::resolved`](output::Frame::resolved) |
 //! | rows of a frame | its constructor | [`Packed`](output::Packed), or [`Strided`](output::Strided) in a larger buffer by [`with_stride`](output::Frame::with_stride) |
 //!
@@ -237,7 +238,7 @@
 //! # Not supported
 //!
 //! * Coloured light, normal maps, highlights on textures; shadows other than
-//!   [on a plane](geometry::PlanarShadow), by a far light, and blobs.
+//!   [on a plane](geometry::PlanarShadow), by a far light and by a lamp, and blobs.
 //! * Antialiasing of triangles other than by [supersampling](output::Supersampled).
 //! * Textures over 1,024 texels wide or high, and anisotropic filters.
 //! * Bins of triangles that are sorted from back to front.

@@ -40,6 +40,7 @@ mod moving;
 mod object_lines;
 mod packed_frames;
 mod painter;
+mod particles;
 mod perspective;
 mod picking;
 mod pictures;

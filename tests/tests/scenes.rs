@@ -17,7 +17,7 @@ use rasterizer::{
 };
 use rasterizer_tests::{
     Placed, Random,
-    bands::{BACKGROUND, DISPLAY, Depth, MATERIALS, ROWS, Screen, at, ball, light, picture},
+    bands::{BACKGROUND, DISPLAY, Depth, MATERIALS, ROWS, at, ball, light, picture},
     ends::{self, Stage},
 };
 
@@ -87,6 +87,13 @@ fn poses() -> Vec<Pose> {
         .collect()
 }
 
+/// The camera at this z, with a near plane that leaves stretched balls exact in S8.
+fn before(z: &str) -> Camera {
+    let [near, far] = ["0.4", "20"].map(Distance::lit);
+    let lens = Perspective::new(Turn::degrees(50), near, far).unwrap();
+    Camera::at(Vec3::lit("0", "0", z), Rotation::IDENTITY, lens, DISPLAY).unwrap()
+}
+
 fn scene_is_like_its_objects<S: Subpixel, D: Depth>() {
     let ball = ball();
     let mesh = Mesh::new(Tables { materials: &MATERIALS, ..*ball.mesh().tables() }).unwrap();
@@ -104,7 +111,7 @@ fn scene_is_like_its_objects<S: Subpixel, D: Depth>() {
     };
     let stretched = |pose: &Pose| bare(pose).shaped(&Matrix::scaling(two, half, -two));
     for eye in ["3", "0.9"] {
-        let camera = at(eye, DISPLAY);
+        let camera = before(eye);
         let (first, absent, second) = (lit(&few[0]), None, Some(bare(&few[1]).culled(CullNone)));
         let mut storage = vec![ScreenVertex::<S, D, [u16; 1]>::EMPTY; mesh.vertex_count()];
         let stored = first.project(&camera, &mut storage).unwrap();
@@ -119,6 +126,10 @@ fn scene_is_like_its_objects<S: Subpixel, D: Depth>() {
             {
                 object.project_on_demand(&camera, S::default()).unwrap().draw(frame)?;
             }
+            for pose in many {
+                shadow(pose).project_on_demand(&camera, S::default()).unwrap().draw(frame)?;
+                stretched(pose).project_on_demand(&camera, S::default()).unwrap().draw(frame)?;
+            }
             Ok(())
         });
         let drawn = whole.drawn(BACKGROUND).len();
@@ -128,8 +139,8 @@ fn scene_is_like_its_objects<S: Subpixel, D: Depth>() {
             &stored,
             each(many, lit),
             (absent.map(|pose: Pose| lit(&pose)), second),
-            each(many, |pose| (shadow(pose), stretched(pose))),
             each(many, |pose| bare(pose).culled(CullNone)),
+            each(many, |pose| (shadow(pose), stretched(pose))),
         );
         let mut rows = vec![RowRange::EMPTY; 4 * many.len() + 1];
         let scene = Scene::new(contents, &camera, S::default(), &mut rows).unwrap();
@@ -250,35 +261,4 @@ fn levels_of_detail_go_by_distance() {
         seen[got.unwrap_or(3)] += 1;
     }
     assert!(seen.iter().all(|&count| count > 1_000), "{seen:?}");
-}
-
-#[test]
-fn debug_me() {
-    let ball = ball();
-    let mesh = Mesh::new(Tables { materials: &MATERIALS, ..*ball.mesh().tables() }).unwrap();
-    let poses = poses();
-    let (two, half) = (Scalar::from_num(2), Scalar::lit("0.5"));
-    let camera = at("3", DISPLAY);
-    for (i, pose) in poses.iter().enumerate() {
-        let object = Object::new(&mesh, Unlit::<Rgb888>::new())
-            .posed(*pose)
-            .shaped(&Matrix::scaling(two, half, -two));
-        let p = object.project_on_demand::<_, S4, u16>(&camera, S4).unwrap();
-        let whole = picture::<u16>(ROWS, |f| p.draw(f));
-        let b = picture::<u16>(1, |f| p.draw(f));
-        let mut rows = [RowRange::EMPTY; 1];
-        let scene = Scene::new((object,), &camera, S4, &mut rows).unwrap();
-        let w = picture::<u16>(ROWS, |f| scene.draw(f));
-        let s = picture::<u16>(1, |f| scene.draw(f));
-        let d = whole.drawn(BACKGROUND);
-        println!(
-            "{i} bands {} scene whole {} scene {} rows {:?} {:?} {:?}",
-            whole == b,
-            whole == w,
-            whole == s,
-            scene.rows()[0].rows(),
-            d.iter().map(|p| p.y).min(),
-            d.iter().map(|p| p.y).max()
-        );
-    }
 }

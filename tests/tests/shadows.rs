@@ -8,7 +8,7 @@ use rasterizer::{
     attribute::{FloatDepth, NoDepth},
     camera::{Camera, Distance, Perspective},
     color::Alpha,
-    geometry::{CullNone, PlanarShadow, Plane, Pose, ScreenVertex},
+    geometry::{CullNone, LampShadow, PlanarShadow, Plane, Pose, ScreenVertex},
     mesh::Mesh,
     numbers::{Rotation, S4, S8, Scalar, Subpixel, Turn, Vec3},
     output::{Add, KeepDepth, Once},
@@ -147,6 +147,37 @@ fn drawn<S: Subpixel, D: Depth>(view: &View, mesh: &Mesh<'_>, rows: u32) -> Scre
     kept
 }
 
+/// Compares each pixel with eight points round its centre: `is_dark` tells whether the light
+/// reaches one. Returns how many are dark, and light, and have both.
+fn judged(
+    view: &View,
+    screen: &Screen<Rgb888>,
+    reach: f64,
+    is_dark: impl Fn(f64, f64) -> bool,
+) -> [usize; 3] {
+    let [mut dark, mut light, mut left] = [0; 3];
+    for (index, pixel) in screen.pixels.iter().enumerate() {
+        let [x, y] = [index % DISPLAY.size.width as usize, index / DISPLAY.size.width as usize]
+            .map(|i| i as f64 + 0.5);
+        let around = (0..8).filter(|&i| {
+            let (sine, cosine) = (f64::from(i) * core::f64::consts::FRAC_PI_4).sin_cos();
+            is_dark(x + reach * cosine, y + reach * sine)
+        });
+        let want = match around.count() {
+            0 => BACKGROUND,
+            8 => Rgb888::new(BACKGROUND.r() + 1, BACKGROUND.g(), BACKGROUND.b()),
+            _ => {
+                left += 1;
+                continue;
+            }
+        };
+        *if want == BACKGROUND { &mut light } else { &mut dark } += 1;
+        assert_eq!(*pixel, Some(want), "at {x}, {y} from {:?}", view.eye);
+    }
+    println!("from {:?}: {dark} dark, {light} light, {left} left", view.eye);
+    [dark, light, left]
+}
+
 /// A vertex is 0.6 sub-pixels from where the light puts it in each direction, at most: a pixel is
 /// judged if the light reaches none of eight points at 0.9 sub-pixels round its centre, or all of
 /// them.
@@ -165,27 +196,7 @@ fn dark_pixels_are_those_that_the_light_does_not_reach() {
                 })
             };
             let screen = drawn::<S, NoDepth>(view, &mesh, ROWS);
-            let [mut dark, mut light, mut left] = [0; 3];
-            for (index, pixel) in screen.pixels.iter().enumerate() {
-                let [x, y] =
-                    [index % DISPLAY.size.width as usize, index / DISPLAY.size.width as usize]
-                        .map(|i| i as f64 + 0.5);
-                let around = (0..8).filter(|&i| {
-                    let (sine, cosine) = (f64::from(i) * core::f64::consts::FRAC_PI_4).sin_cos();
-                    is_dark(x + reach * cosine, y + reach * sine)
-                });
-                let want = match around.count() {
-                    0 => BACKGROUND,
-                    8 => Rgb888::new(BACKGROUND.r() + 1, BACKGROUND.g(), BACKGROUND.b()),
-                    _ => {
-                        left += 1;
-                        continue;
-                    }
-                };
-                *if want == BACKGROUND { &mut light } else { &mut dark } += 1;
-                assert_eq!(*pixel, Some(want), "at {x}, {y} from {:?}", view.eye);
-            }
-            println!("from {:?}: {dark} dark, {light} light, {left} left", view.eye);
+            let [dark, light, left] = judged(view, &screen, reach, is_dark);
             assert!(dark > 150 && light > 1_500 && left < 12, "{dark} {light} {left}");
         }
     }
@@ -206,4 +217,56 @@ fn bands_and_every_depth_draw_the_same() {
         assert!(whole == drawn::<S8, NoDepth>(view, &mesh, 7), "no depth from {:?}", view.eye);
         assert!(whole == drawn::<S8, FloatDepth>(view, &mesh, 7), "float from {:?}", view.eye);
     }
+}
+
+/// Where the lamp of a view is: on the way to its far light.
+fn lamp(view: &View) -> Vec3 {
+    let at = |place: Scalar, toward: Scalar| place + toward * 2;
+    let (place, toward) = (view.place, view.toward);
+    Vec3::new(at(place.x, toward.x), at(place.y, toward.y), at(place.z, toward.z))
+}
+
+/// The picture of a shadow in the light of a lamp.
+fn cast<S: Subpixel, D: Depth>(view: &View, mesh: &Mesh<'_>, rows: u32) -> Screen<Rgb888> {
+    let mut positions = vec![[0; 3]; mesh.vertex_count()];
+    let pose = *view.object(mesh).pose();
+    let shadow = LampShadow::new(mesh, &pose, FLOOR, lamp(view), &mut positions).unwrap();
+    let object = Object::new(shadow.mesh(), Unlit::new()).posed(*shadow.pose()).culled(CullNone);
+    let object = object.clipped(shadow.clipping()).blended(KeepDepth(Add(Alpha::OPAQUE)));
+    let bits = vec![Cell::new(0); Once::<()>::words((DISPLAY.size.width * rows) as usize)];
+    let mut storage = vec![ScreenVertex::<S, D, _>::EMPTY; mesh.vertex_count()];
+    let seen = object.project(&view.camera(), &mut storage).unwrap();
+    picture::<D>(rows, |band| seen.draw(&mut Once::new(band, &bits).unwrap()))
+}
+
+/// As in the light of a far source, with rays to the lamp. The shadow's vertices are rounded to a
+/// 2^-15th of half its longer side, here of 2 units at most, and to 2^-15 units: at the distances
+/// of these views, of 1 unit at least, to 1/200 of a pixel.
+#[test]
+fn dark_pixels_are_those_that_the_lamp_does_not_reach() {
+    fn check<S: Subpixel>() {
+        let reach = 0.9 / f64::from(1 << S::BITS) + 0.005;
+        let ball = ball();
+        let mesh = ball.mesh();
+        for view in &VIEWS {
+            let triangles = triangles(&mesh, *view.object(&mesh).pose());
+            let lamp = numbers(lamp(view));
+            let is_dark = |x: f64, y: f64| {
+                view.on_floor(x, y).is_some_and(|point| {
+                    let toward = [0, 1, 2].map(|i| lamp[i] - point[i]);
+                    triangles.iter().any(|&triangle| meets(point, toward, triangle))
+                })
+            };
+            let screen = cast::<S, NoDepth>(view, &mesh, ROWS);
+            let [dark, light, left] = judged(view, &screen, reach, is_dark);
+            assert!(dark > 150 && light > 1_000 && left < 16, "{dark} {light} {left}");
+            // Another shadow than that of a far light.
+            let far = drawn::<S, NoDepth>(view, &mesh, ROWS);
+            let other = far.pixels.iter().zip(&screen.pixels).filter(|(a, b)| a != b).count();
+            assert!(other > 10, "{other} from {:?}", view.eye);
+            assert!(screen == cast::<S, NoDepth>(view, &mesh, 7), "in bands from {:?}", view.eye);
+        }
+    }
+    check::<S4>();
+    check::<S8>();
 }

@@ -4,14 +4,15 @@
 //! [`super::any_mode`]. Coordinates are stepped as those of textures of 1,024 texels are, so that
 //! every size is right.
 
-use embedded_graphics_core::pixelcolor::Rgb888;
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor as _};
 use rasterizer::{
     attribute::InverseW,
+    color::Alpha,
     texture::{
         Bilinear, Clamp, Colors, CoordinateFormat, Coordinates, Counts, Filter as CoreFilter,
-        Footprint, Levels, LitTexels, MipLevel, Mipmapped, Mirror, Nearest, NearestMip, Pair,
-        PerTriangle, Place, Quad, Repeat, Side, TexelMap, Texels, TextureVarying, Trilinear,
-        Wrap as _,
+        Footprint, Layer, Levels, LitTexels, MipLevel, Mipmapped, Mirror, Nearest, NearestMip,
+        Outcome, Pair, PerTriangle, Place, Quad, Repeat, Side, Texel as CoreTexel, TexelMap,
+        Texels, TextureVarying, Trilinear, Wrap as _,
     },
 };
 
@@ -21,43 +22,104 @@ use crate::reference::{Mipmaps, Texel, Wrap, is_opaque};
 /// Texels in the core's numbers, with all mip levels.
 #[derive(Clone, Debug)]
 pub(super) struct AnyTable {
-    texels: Vec<Option<Rgb888>>,
+    texels: Vec<AnyTexel>,
     levels: Levels,
     has_levels: bool,
     wrap: [Wrap; 2],
 }
 
 impl AnyTable {
-    /// The texels of a texture, with or without mip levels.
-    pub(super) fn new(texture: &Mipmaps) -> Self {
+    /// The texels of a texture, with or without mip levels, whose alphas are mixed or tested.
+    pub(super) fn new(texture: &Mipmaps, is_translucent: bool) -> Self {
         let base = texture.base();
         let [width, height] = base.size();
         let levels = Levels::new(width, height);
-        let texels: Vec<_> =
-            texture.levels().iter().flat_map(|level| level.texels()).map(stored).collect();
+        let texels: Vec<_> = (texture.levels().iter().flat_map(|level| level.texels()))
+            .map(|texel| AnyTexel::new(texel, is_translucent))
+            .collect();
         let has_levels = texels.len() == levels.texel_count();
         Self { texels, levels, has_levels, wrap: base.wrap() }
     }
 }
 
-fn stored(&texel: &Texel) -> Option<Rgb888> {
-    let [red, green, blue, _] = texel.map(|c| c.round() as u8);
-    is_opaque(texel).then_some(Rgb888::new(red, green, blue))
+/// A texel whose kind is chosen at run time: with an alpha that is mixed, as one of
+/// [`Translucent`](rasterizer::texture::Translucent), or opaque or not, as one of
+/// [`Masked`](rasterizer::texture::Masked).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct AnyTexel {
+    layer: Layer<Rgb888>,
+    is_mixed: bool,
+}
+
+impl AnyTexel {
+    fn new(&texel: &Texel, is_mixed: bool) -> Self {
+        let [red, green, blue, alpha] = texel.map(|c| c.round() as u8);
+        let alpha = match (is_mixed, is_opaque(texel)) {
+            (true, _) => Alpha::from_u8(alpha),
+            (false, true) => Alpha::OPAQUE,
+            (false, false) => Alpha::CLEAR,
+        };
+        Self { layer: Layer::new(Rgb888::new(red, green, blue), alpha), is_mixed }
+    }
+
+    /// As a texel that is opaque or not.
+    fn masked(self) -> Option<Rgb888> {
+        self.layer.color()
+    }
+}
+
+impl Outcome<Rgb888> for AnyTexel {
+    const DISCARDS: bool = true;
+    const HAS_ALPHA: bool = true;
+
+    fn color(self) -> Option<Rgb888> {
+        self.layer.color()
+    }
+
+    fn layer(self) -> Option<(Rgb888, Alpha)> {
+        self.layer.layer()
+    }
+}
+
+impl CoreTexel<Rgb888> for AnyTexel {
+    fn opaque(color: Rgb888) -> Self {
+        Self { layer: Layer::opaque(color), is_mixed: true }
+    }
+
+    fn recolored(self, change: impl FnOnce(Rgb888) -> Rgb888) -> Self {
+        Self { layer: self.layer.recolored(change), ..self }
+    }
+
+    fn combined<const N: usize>(
+        texels: [Self; N],
+        nearest: usize,
+        mix: impl FnOnce([Rgb888; N]) -> Rgb888,
+        mix_alpha: impl FnOnce([Alpha; N]) -> Alpha,
+    ) -> Self {
+        if texels.iter().any(|texel| texel.is_mixed) {
+            let layers = texels.map(|texel| texel.layer);
+            Self { layer: Layer::combined(layers, nearest, mix, mix_alpha), is_mixed: true }
+        } else {
+            let mixed = Option::combined(texels.map(Self::masked), nearest, mix, mix_alpha);
+            let clear = Layer::new(Rgb888::BLACK, Alpha::CLEAR);
+            Self { layer: mixed.map_or(clear, Layer::opaque), is_mixed: false }
+        }
+    }
 }
 
 /// Texels whose number is known at run time.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct AnyTexels<'a>(&'a [Option<Rgb888>]);
+pub(super) struct AnyTexels<'a>(&'a [AnyTexel]);
 
 impl Texels for AnyTexels<'_> {
     type Color = Rgb888;
-    type Texel = Option<Rgb888>;
+    type Texel = AnyTexel;
 
     fn counts(&self) -> Counts {
         Counts::exactly(self.0.len())
     }
 
-    fn texel(&self, index: usize) -> Option<Rgb888> {
+    fn texel(&self, index: usize) -> AnyTexel {
         self.0[index]
     }
 }
@@ -76,7 +138,7 @@ impl LitTexels for AnyTexels<'_> {
         Lit::light(varying)
     }
 
-    fn before_light(&self, index: usize, _: Self::Light) -> Option<Rgb888> {
+    fn before_light(&self, index: usize, _: Self::Light) -> AnyTexel {
         self.texel(index)
     }
 
@@ -192,8 +254,8 @@ impl CoreFilter<AnyTexture<'_>> for AnyFilter {
         level: &MipLevel,
         place: Place<SIDE, SIDE, Clamp, Clamp>,
         inverse_w: InverseW,
-        fetch: impl Fn(usize) -> Option<Rgb888>,
-    ) -> Option<Rgb888> {
+        fetch: impl Fn(usize) -> AnyTexel,
+    ) -> AnyTexel {
         sample(map, level, place, inverse_w, &fetch)
     }
 }
@@ -204,8 +266,8 @@ fn sample(
     level: &MipLevel,
     place: Place<SIDE, SIDE, Clamp, Clamp>,
     inverse_w: InverseW,
-    fetch: &dyn Fn(usize) -> Option<Rgb888>,
-) -> Option<Rgb888> {
+    fetch: &dyn Fn(usize) -> AnyTexel,
+) -> AnyTexel {
     match map.filter {
         Filter::Nearest => Nearest::sample(map, &(), place, inverse_w, fetch),
         Filter::Bilinear => Bilinear::sample(map, &(), place, inverse_w, fetch),

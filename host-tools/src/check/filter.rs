@@ -51,6 +51,13 @@ impl Filter {
     }
 }
 
+/// The least alpha of a pixel that is drawn where pixels are replaced.
+const HALF: f64 = 127.5;
+
+/// By how much an alpha may be off, in steps of 8 bits: that of a texel half a unit of 256, and
+/// each mix of two.
+const ALPHA_ROUNDING: f64 = 1.5;
+
 /// By how much a level of detail may be off.
 const LEVEL: f64 = 0.25;
 
@@ -74,16 +81,16 @@ impl Precision {
     pub const OF_WORDS: Self = Self { fraction_bits: 4, short_weights: true, light_steps: 32 };
 }
 
-/// Colours between two, channel by channel: the red, green and blue of texels.
+/// Texels between two, channel by channel: red, green, blue and alpha.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Range {
-    low: [f64; 3],
-    high: [f64; 3],
+    low: Texel,
+    high: Texel,
 }
 
 impl Range {
-    const fn of([red, green, blue, _]: Texel) -> Self {
-        Self { low: [red, green, blue], high: [red, green, blue] }
+    const fn of(texel: Texel) -> Self {
+        Self { low: texel, high: texel }
     }
 
     fn with(self, other: Self) -> Self {
@@ -102,15 +109,19 @@ impl Range {
         }
     }
 
-    fn widened(self, by: [f64; 3]) -> Self {
+    fn widened(self, by: Texel) -> Self {
         Self {
             low: std::array::from_fn(|i| self.low[i] - by[i]),
             high: std::array::from_fn(|i| self.high[i] + by[i]),
         }
     }
 
+    /// With the light on the colours.
     fn lit(self, [low, high]: [f64; 2]) -> Self {
-        Self { low: self.low.map(|c| c * low), high: self.high.map(|c| c * high) }
+        let lit = |[red, green, blue, alpha]: Texel, level: f64| {
+            [red * level, green * level, blue * level, alpha]
+        };
+        Self { low: lit(self.low, low), high: lit(self.high, high) }
     }
 
     /// The colour in it that is closest to another, and the largest difference of a channel.
@@ -126,6 +137,9 @@ impl Range {
 pub struct Seen<'a> {
     /// The texture.
     pub texture: &'a Mipmaps,
+    /// Whether texels have the alpha that they have, which is mixed like their colours, and a
+    /// pixel is drawn by the result; otherwise each is opaque or not, and the nearest one decides.
+    pub is_translucent: bool,
     /// The exact coordinate and its derivatives.
     pub exact: Footprint,
     /// How far u and v may be off, in texels of the largest level.
@@ -151,23 +165,66 @@ impl Seen<'_> {
     pub fn right(&self, filter: Filter, precision: Precision, drawn: [f64; 3]) -> Right {
         let mut found =
             Found { drawn, light: self.light(precision), best: None, transparent: false };
+        self.visit(filter, precision, &mut |range| match range {
+            Some(range) if self.is_translucent => {
+                // Where it is not certain on which side of half the mixed alpha lies, both are
+                // right.
+                let ([.., low], [.., high]) = (range.low, range.high);
+                found.transparent |= low < HALF + ALPHA_ROUNDING;
+                if high >= HALF - ALPHA_ROUNDING {
+                    found.add(range);
+                }
+            }
+            Some(range) => found.add(range),
+            None => found.transparent = true,
+        });
+        Right { color: found.best.map(|(_, color)| color), may_be_transparent: found.transparent }
+    }
+
+    /// The least and the greatest alpha, from 0 to 1, that are right by a filter.
+    #[must_use]
+    pub fn alphas(&self, filter: Filter, precision: Precision) -> [f64; 2] {
+        let mut ends = [f64::INFINITY, f64::NEG_INFINITY];
+        self.visit(filter, precision, &mut |range| {
+            let [low, high] = match range {
+                Some(Range { low: [.., low], high: [.., high] }) if self.is_translucent => {
+                    [low / 255.0, high / 255.0]
+                }
+                Some(_) => [1.0; 2],
+                None => [0.0; 2],
+            };
+            ends = [ends[0].min(low), ends[1].max(high)];
+        });
+        // A mix is rounded to a 256th, and one of two levels again.
+        let mixes = match filter {
+            Filter::Nearest | Filter::Mipmap => 0.0,
+            Filter::Bilinear => 1.0,
+            Filter::Trilinear => 2.0,
+        };
+        let rounding = if self.is_translucent { mixes * 0.5 / 256.0 } else { 0.0 };
+        [(ends[0] - rounding).max(0.0), (ends[1] + rounding).min(1.0)]
+    }
+
+    /// Visits what a pixel may have by a filter: a range of texels, or `None` for a transparent
+    /// one.
+    fn visit(&self, filter: Filter, precision: Precision, found: &mut dyn FnMut(Option<Range>)) {
         let [least, most] = self.levels();
         let last = self.texture.levels().len() - 1;
         match filter {
-            Filter::Nearest => self.nearest(0, &mut found),
+            Filter::Nearest => self.nearest(0, found),
             Filter::Bilinear => {
-                self.for_each_base(0, &mut found, |base| Some(self.bilinear(0, base, precision)));
+                self.for_each_base(0, found, |base| Some(self.bilinear(0, base, precision)));
             }
             Filter::Mipmap => {
                 let nearest = |level: f64| self.texture.nearest_level(level);
-                (nearest(least)..=nearest(most)).for_each(|level| self.nearest(level, &mut found));
+                (nearest(least)..=nearest(most)).for_each(|level| self.nearest(level, found));
             }
             Filter::Trilinear => {
                 let levels = [least, most].map(|level| self.texture.clamp(level));
                 // Linear between whole levels: the ends, and the whole levels between them.
                 let whole =
                     (levels[0].ceil() as usize..=levels[1].floor() as usize).map(|l| l as f64);
-                self.for_each_base(levels[0] as usize, &mut found, |base| {
+                self.for_each_base(levels[0] as usize, found, |base| {
                     levels
                         .into_iter()
                         .chain(whole.clone())
@@ -180,7 +237,6 @@ impl Seen<'_> {
                 });
             }
         }
-        Right { color: found.best.map(|(_, color)| color), may_be_transparent: found.transparent }
     }
 
     /// The levels of detail that are right, which may be none that there is.
@@ -214,31 +270,25 @@ impl Seen<'_> {
         rows.flat_map(move |row| columns.clone().map(move |column| texture.texel([column, row])))
     }
 
-    fn nearest(&self, level: usize, found: &mut Found) {
+    fn nearest(&self, level: usize, found: &mut dyn FnMut(Option<Range>)) {
         for texel in self.touched(level) {
-            if is_opaque(texel) {
-                found.add(Range::of(texel));
-            } else {
-                found.transparent = true;
-            }
+            found((self.is_translucent || is_opaque(texel)).then(|| Range::of(texel)));
         }
     }
 
-    /// Adds the colours that `colors` returns for each texel that may be the nearest one: it
+    /// Visits the ranges that `colors` returns for each texel that may be the nearest one: it
     /// decides whether a pixel is transparent, and stands in for those that are.
     fn for_each_base(
         &self,
         level: usize,
-        found: &mut Found,
+        found: &mut dyn FnMut(Option<Range>),
         colors: impl Fn(Texel) -> Option<Range>,
     ) {
         for base in self.touched(level) {
-            match is_opaque(base).then(|| colors(base)).flatten() {
-                Some(range) => found.add(range),
-                None => found.transparent = true,
-            }
-            // Where all are opaque, it doesn't matter which is the nearest.
-            if self.texture.is_opaque() {
+            found((self.is_translucent || is_opaque(base)).then(|| colors(base)).flatten());
+            // Where all are opaque, it doesn't matter which is the nearest; nor where all are
+            // mixed as they are.
+            if self.is_translucent || self.texture.is_opaque() {
                 break;
             }
         }
@@ -257,7 +307,7 @@ impl Seen<'_> {
         });
         let texel = |place: [i64; 2]| {
             let texel = texture.texel(place);
-            if is_opaque(texel) { texel } else { base }
+            if self.is_translucent || is_opaque(texel) { texel } else { base }
         };
         let [columns, rows] = [0, 1].map(|i| {
             let [low, high] = ends[i];

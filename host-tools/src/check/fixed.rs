@@ -48,8 +48,12 @@ pub(super) struct Drawn<'a> {
     pub(super) end_to_end: Box<dyn FnOnce() -> Picture + 'a>,
 }
 
-/// The reference on the core's own vertices, and how far texture coordinates and normals are off.
-pub(super) type Arithmetic = (Picture, Option<Texels>, Option<NormalErrors>);
+/// The reference on the core's own vertices, how far texture coordinates and normals are off, and
+/// the alphas of textures.
+pub(super) type Arithmetic = (Picture, Option<Texels>, Option<NormalErrors>, Option<TexelAlphas>);
+
+/// The least and the greatest alpha that a texel may have, from 0 to 1, of every fragment.
+pub(super) type TexelAlphas = Picture<[f64; 2]>;
 
 /// Draws a model by the core.
 ///
@@ -74,7 +78,7 @@ pub(super) fn draw<'a, const N: usize, Sh: Shader<Color = Rgb888, Outcome = Rgb8
             Some(fog) => fog.over(&bare, |pixel| fixed.color(pixel)),
             None => bare,
         };
-        (picture, None, None)
+        (picture, None, None, None)
     };
     Ok(Drawn {
         picture,

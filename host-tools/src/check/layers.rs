@@ -2,23 +2,28 @@
 
 use std::cell::RefCell;
 
-use embedded_graphics_core::pixelcolor::Rgb888;
+use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
     attribute::NoDepth,
     camera::Camera,
     geometry, numbers,
     output::{Frame, MaterialOpacity},
     scene::Object,
-    shade::Shader,
+    shade::{Faded, Shader},
 };
 
 use super::{
+    alphas::Fading,
     blending::{self, Layers, Recorder},
     drawing::Drawing,
     fixed::ShownColor,
+    object::screen_triangles,
     view::{View, ViewError},
 };
-use crate::{model::Model, reference::Blend};
+use crate::{
+    model::Model,
+    reference::{Blend, Sample, draw_screen},
+};
 
 /// A model blended with itself, from back to front.
 ///
@@ -39,14 +44,21 @@ impl<Sh: Shader<Color: ShownColor>> Drawing for Blended<'_, Sh> {
         camera: &Camera<P>,
     ) -> Result<Layers, ViewError> {
         let Self { model, view, blend, shader } = self;
-        let (mesh, layers) = (model.mesh(), RefCell::default());
+        let (mesh, layers, fading) = (model.mesh(), RefCell::default(), Fading::of(model, view));
         let factor = MaterialOpacity::times(blending::alpha(view.opacity));
-        let object = Object::new(&mesh, shader.clone())
+        let object = Object::new(&mesh, Faded::new(shader.clone(), fading.of_vertices()))
             .posed(view.pose()?)
             .clipped(view.planes.core()?)
             .blended(Recorder { blend, factor, layers: &layers });
         let mut order = vec![0; mesh.triangle_count()];
         let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
+        // Varyings of alphas have 15 bits behind the point; depth is not compared here.
+        let triangles = screen_triangles(&projected, Point::zero(), |_, corner| {
+            let (_, [alpha]) = corner.varyings();
+            (0.5, [f64::from(alpha) / 32_768.0])
+        });
+        let size = view.size.map(|side| side as usize).into();
+        let alphas = draw_screen(&triangles, size, |sample: Sample<1>| Some(sample.varyings[0]));
         let projected = projected.back_to_front(&mut order)?;
         let [red, green, blue] = view.background;
         let pixels = view.size.iter().map(|&side| side as usize).product();
@@ -54,6 +66,6 @@ impl<Sh: Shader<Color: ShownColor>> Drawing for Blended<'_, Sh> {
         let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
         let colors = colors.into_iter().map(Into::into);
         let order = projected.order().triangles();
-        Ok(Layers::new((view, blend), colors, &layers.borrow(), order, mesh.triangle_count()))
+        Ok(Layers::new((model, view, blend), colors, &layers.borrow(), order, alphas))
     }
 }

@@ -1,4 +1,7 @@
-//! The edges, lines and points of a model, by the same calls as on a microcontroller.
+//! The edges, lines and points of a model, by the same calls as on a microcontroller: drawn, and
+//! judged.
+
+use std::convert::Infallible;
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
@@ -14,8 +17,10 @@ use rasterizer::{
 };
 
 use super::{
-    Blending, FixedPicture, Pixel,
+    Blending, FixedPicture, LineOutcome, Pixel,
     drawing::{self, Drawing},
+    judged_lines::{Canvas, Owners},
+    shading,
     view::{View, ViewError},
 };
 use crate::model::Model;
@@ -50,6 +55,15 @@ impl LineOptions {
     /// Whether there is more to draw than surfaces.
     pub(super) const fn has_lines(&self, model: &Model) -> bool {
         !matches!(self.edges, Edges::None) || model.report.lines + model.report.points > 0
+    }
+
+    /// Whether surfaces hide lines in a view.
+    fn hides(&self, view: &View) -> bool {
+        match self.edges {
+            Edges::All => false,
+            Edges::Visible => true,
+            Edges::None | Edges::Over => view.blending == Blending::Replace,
+        }
     }
 }
 
@@ -168,18 +182,15 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
             .map(|[red, green, blue]| Rgb888::new(red, green, blue))
             .collect();
         let mut depth = vec![0u32; colors.len()];
-        let hides = match options.edges {
-            Edges::All => false,
-            Edges::Visible => true,
-            Edges::None | Edges::Over => view.blending == Blending::Replace,
-        };
-        if hides {
+        if options.hides(view) {
             let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
             let Ok(()) = seen.draw_depth(&mut frame);
         }
         let before = depth.clone();
         let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
-        draw_lines(model, &mesh, options, &seen, &mut frame);
+        let Ok(()) = for_each_element(model, &mesh, options.edges, |element| {
+            element.draw(options, &seen, &mut frame)
+        });
         let drawn = FixedPicture::new(view.size, &colors, &depth);
         let pixels = (drawn.pixels.iter().zip(&surfaces.pixels).zip(before))
             .map(|((line, surface), before)| {
@@ -191,37 +202,173 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
     }
 }
 
-fn draw_lines<V, P, Sh, M>(
+/// A table of lines or points, and in which material it is drawn.
+enum Element<'a> {
+    Points(usize, Points<'a>),
+    Lines(usize, Lines<'a>),
+    /// In the colour of edges.
+    Edges(Lines<'a>),
+}
+
+/// Visits what is drawn, in its order: what is drawn first wins where depths are equal, points over
+/// lines over edges.
+fn for_each_element<E>(
     model: &Model,
     mesh: &Mesh<'_>,
-    options: LineOptions,
-    seen: &Projected<'_, V, P, Sh, M>,
-    frame: &mut Frame<'_, Rgb888, &mut [u32]>,
-) where
-    V: Vertices<OnScreen<Sh>, Depth = u32>,
-    P: geometry::Projection,
-    Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
-    M: Mode<Blending = Replace>,
-{
-    let LineOptions { edges, edge_color: [red, green, blue], line_width, point_size } = options;
+    edges: Edges,
+    mut visit: impl FnMut(&Element<'_>) -> Result<(), E>,
+) -> Result<(), E> {
     let table = |pairs: &[[u32; 2]]| -> Vec<[u16; 2]> {
         pairs.iter().map(|pair| pair.map(|i| i as u16)).collect()
     };
-    // What is drawn first wins where depths are equal: points over lines over edges.
     for (material, points) in model.points.iter().enumerate() {
         let indices: Vec<u16> = points.iter().map(|&i| i as u16).collect();
-        let points = Points::new_const(mesh, PointIndices::U16(&indices));
-        let Ok(()) = seen.points(&points).sized(point_size).of_material(material).draw(frame);
+        visit(&Element::Points(material, Points::new_const(mesh, PointIndices::U16(&indices))))?;
     }
     for (material, lines) in model.lines.iter().enumerate() {
         let segments = table(lines);
-        let lines = Lines::new_const(mesh, Segments::U16(&segments));
-        let Ok(()) = seen.lines(&lines).wide(line_width).of_material(material).draw(frame);
+        visit(&Element::Lines(material, Lines::new_const(mesh, Segments::U16(&segments))))?;
     }
     if edges != Edges::None {
         let segments = table(&model.edges);
-        let lines = Lines::new_const(mesh, Segments::U16(&segments));
-        let color = Rgb888::new(red, green, blue);
-        let Ok(()) = seen.lines(&lines).wide(line_width).fill(color, frame);
+        visit(&Element::Edges(Lines::new_const(mesh, Segments::U16(&segments))))?;
+    }
+    Ok(())
+}
+
+impl Element<'_> {
+    fn draw<V, P, Sh, M>(
+        &self,
+        options: LineOptions,
+        seen: &Projected<'_, V, P, Sh, M>,
+        frame: &mut Frame<'_, Rgb888, &mut [u32]>,
+    ) -> Result<(), Infallible>
+    where
+        V: Vertices<OnScreen<Sh>, Depth = u32>,
+        P: geometry::Projection,
+        Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
+        M: Mode<Blending = Replace>,
+    {
+        let LineOptions { edge_color: [red, green, blue], line_width, point_size, .. } = options;
+        match self {
+            Self::Points(material, points) => {
+                seen.points(points).sized(point_size).of_material(*material).draw(frame)
+            }
+            Self::Lines(material, lines) => {
+                seen.lines(lines).wide(line_width).of_material(*material).draw(frame)
+            }
+            Self::Edges(lines) => {
+                seen.lines(lines).wide(line_width).fill(Rgb888::new(red, green, blue), frame)
+            }
+        }
+    }
+
+    /// Adds what the core draws to the definitions. `color` returns that of a vertex, if vertices
+    /// have colours.
+    fn define<V, P, Sh, M>(
+        &self,
+        model: &Model,
+        seen: &Projected<'_, V, P, Sh, M>,
+        color: impl Fn(OnScreen<Sh>) -> Option<[f64; 3]>,
+        owners: &mut Owners,
+    ) where
+        V: Vertices<OnScreen<Sh>, Depth = u32>,
+        P: geometry::Projection,
+        Sh: Shader<Color = Rgb888>,
+        M: Mode,
+    {
+        let edge_color = owners.options().edge_color.map(f64::from);
+        let of_material = |material: usize| {
+            model.materials.get(material).map_or([0.0; 3], |m| m.color.map(f64::from))
+        };
+        let Ok(()) = match self {
+            Self::Points(material, points) => seen.points(points).for_each_point(|vertex| {
+                let color = color(vertex.varyings()).unwrap_or_else(|| of_material(*material));
+                owners.add_point(vertex, color);
+                Ok::<(), Infallible>(())
+            }),
+            Self::Lines(material, lines) => seen.lines(lines).for_each_line(|ends| {
+                let color = |end: &ScreenVertex<_, _, _>| {
+                    color(end.varyings()).unwrap_or_else(|| of_material(*material))
+                };
+                owners.add_line(ends, ends.map(color));
+                Ok(())
+            }),
+            Self::Edges(lines) => seen.lines(lines).for_each_line(|ends| {
+                owners.add_line(ends, [edge_color; 2]);
+                Ok(())
+            }),
+        };
+    }
+}
+
+/// Judges the [edges](Model::edges), lines and points of a model against their definitions: see
+/// [`LineOutcome`]. In the view's precision and with 32 bits of depth; where surfaces hide them, by
+/// the depth that the core draws.
+///
+/// # Errors
+///
+/// Returns an error if the view's numbers are out of range, or if the core cannot draw the model in
+/// it.
+pub fn judge_lines(
+    model: &Model,
+    view: &View,
+    options: LineOptions,
+) -> Result<LineOutcome, ViewError> {
+    if model.vertex_colors.is_empty() {
+        let (shader, color) = (Unlit::new(), |_| None);
+        drawing::draw(view, Judged { model, view, options, shader, color })
+    } else {
+        let color = |corner| Some(shading::channels(&corner));
+        drawing::draw(view, Judged { model, view, options, shader: Colored::new(), color })
+    }
+}
+
+/// Lines and points that are judged.
+struct Judged<'a, Sh, F> {
+    model: &'a Model,
+    view: &'a View,
+    options: LineOptions,
+    shader: Sh,
+    /// The colour of a vertex, if vertices have colours.
+    color: F,
+}
+
+impl<Sh, F> Drawing for Judged<'_, Sh, F>
+where
+    Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
+    F: Fn(OnScreen<Sh>) -> Option<[f64; 3]>,
+{
+    type Drawn = LineOutcome;
+
+    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
+        self,
+        camera: &Camera<P>,
+    ) -> Result<LineOutcome, ViewError> {
+        let Self { model, view, options, shader, color } = self;
+        let mesh = model.mesh();
+        let object = Object::new(&mesh, shader)
+            .posed(view.pose()?)
+            .clipped(view.planes.core()?)
+            .biased(BEHIND);
+        let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
+        let seen = object.project(camera, &mut storage)?;
+        let pixels = view.size.iter().map(|&side| side as usize).product();
+        let [red, green, blue] = view.background;
+        let mut canvas =
+            Canvas { colors: vec![Rgb888::new(red, green, blue); pixels], depth: vec![0; pixels] };
+        if options.hides(view) {
+            canvas.draw(view, |frame| seen.draw_depth(frame))?;
+        }
+        let mut found = LineOutcome::default();
+        for_each_element(model, &mesh, options.edges, |element| {
+            let before = canvas.clone();
+            canvas.draw(view, |frame| element.draw(options, &seen, frame))?;
+            let mut owners = Owners::new::<S>(view, options);
+            element.define(model, &seen, &color, &mut owners);
+            found = found.and(owners.judge(&before, &canvas));
+            Ok::<(), ViewError>(())
+        })?;
+        Ok(found)
     }
 }

@@ -42,7 +42,7 @@ static PICTURE: LazyLock<Mipmaps> = LazyLock::new(|| {
 });
 
 /// The same in the core's numbers.
-static TABLE: LazyLock<AnyTable> = LazyLock::new(|| AnyTable::new(&PICTURE));
+static TABLE: LazyLock<AnyTable> = LazyLock::new(|| AnyTable::new(&PICTURE, false));
 
 /// The coordinates of a unit normal in camera space, by the shader's definition.
 fn coordinates([x, y, _]: [f64; 3]) -> [f64; 2] {

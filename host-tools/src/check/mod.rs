@@ -14,13 +14,15 @@
 //!   at edges are off has no bound that holds for every model, so the reader judges.
 //!
 //! In a view that blends, the layers of each pixel, which the core draws from back to front without
-//! storing depth, are compared too, and their blended colour with f64: see [`Blended`].
+//! storing depth, are compared too, with their alphas, and their blended colour with f64: see
+//! [`Blended`].
 //!
 //! [`Outcome::is_within`] tells whether all of it holds.
 //!
 //! [`check`] compares a model in a view, [`Checker`] in several. [`judge`] compares any object of
 //! the core, with any shader, against a definition of that shader.
 
+mod alphas;
 mod any_depth;
 mod any_mode;
 mod any_texture;
@@ -35,6 +37,7 @@ mod face_colors;
 mod filter;
 mod fixed;
 mod fog;
+mod judged_lines;
 mod layers;
 mod light_levels;
 mod lights;
@@ -60,6 +63,7 @@ mod view;
 
 use std::time::{Duration, Instant};
 
+pub use alphas::{AlphaBound, AlphaError, FadeAlong};
 pub use blending::{BACKGROUND, BlendBound, BlendError, Blended, Blending};
 pub use compare::{Bounds, Comparison, Deviation, Difference, Outcome, VertexError, Vertices};
 pub use coordinates::{ExactCoordinate, TexelError, Texels};
@@ -68,8 +72,9 @@ pub use depth::{DefinedDepth, DepthFormat};
 pub use display::{Colors, Display, DisplayOutcome, Matrix};
 pub use filter::{Filter, Precision, Right, Seen};
 pub use fog::{Fog, FogBy};
+pub use judged_lines::LineOutcome;
 pub use lights::{Lamp, MOST_LIGHTS, Sun, ViewLights};
-pub use lines::{Edges, LineOptions, render_with_lines, wireframe};
+pub use lines::{Edges, LineOptions, judge_lines, render_with_lines, wireframe};
 pub use normals::NormalErrors;
 pub use object::{FixedPicture, Judged, Pixel, judge, screen_triangles};
 pub use places::{Fault, Places, Wrong};
@@ -164,7 +169,7 @@ impl<'a> Checker<'a> {
     /// those that each face may have; `None` for one with holes.
     fn compare(&self, view: &View, drawn: Drawn<'_>, colors: &[Option<FaceColors>]) -> Checked {
         let Self { model, surface, .. } = self;
-        let ((arithmetic, texels, normals), arithmetic_time) =
+        let ((arithmetic, texels, normals, alphas), arithmetic_time) =
             timed(|| (drawn.arithmetic)(&drawn.picture));
         let (end_to_end, end_to_end_time) = timed(drawn.end_to_end);
 
@@ -179,7 +184,8 @@ impl<'a> Checker<'a> {
         };
         let has_colors = view.fog.is_none() && view.shading.has_plain_layers();
         let layers = drawn.blended;
-        let blend = layers.as_ref().map(|layers| layers.judge(&arithmetic, has_colors));
+        let blend =
+            layers.as_ref().map(|layers| layers.judge(&arithmetic, alphas.as_ref(), has_colors));
         let comparison = |reference, vertices, (texels, normals, blend), time| Comparison {
             deviation: compare::compare(&fixed, reference, depth),
             vertices,

@@ -1,14 +1,14 @@
 //! A shader that also gives each pixel what it sees: the texture coordinate that it samples, or the
 //! normal.
 
-use embedded_graphics_core::pixelcolor::Rgb888;
+use embedded_graphics_core::pixelcolor::{Rgb888, RgbColor as _};
 use rasterizer::{
     color::{Alpha, Composite},
     geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
     output::{PixelFill, StoredColor},
     raster::{Fragment, Gradients},
-    shade::{Face, OnScreen, Outcome, Sample, Shader},
+    shade::{Face, Layer, OnScreen, Outcome, Sample, Shader},
 };
 
 use super::fixed::ShownColor;
@@ -69,6 +69,14 @@ impl<C: Into<Self>, T> From<Probed<C, T>> for Rgb888 {
     }
 }
 
+/// A pixel of a shader with what it sees.
+fn probed<C: From<Rgb888>, T>(pixel: impl Outcome<C>, seen: Option<T>) -> Layer<Probed<C, T>> {
+    match pixel.layer() {
+        Some((color, alpha)) => Layer::new(Probed { color, seen }, alpha),
+        None => Layer::new(Probed::from(Rgb888::BLACK), Alpha::CLEAR),
+    }
+}
+
 /// A shader whose colours have with them what `read` takes from a pixel's varyings: the coordinate
 /// in Q8.24 of a texture, which is `None` without one, or the normal.
 #[derive(Debug)]
@@ -88,8 +96,8 @@ impl<Sh: Shader<Color: ShownColor>, T: Copy> Shader for Probe<Sh, T> {
     type Varyings = Sh::Varyings;
     type Surface = Sh::Surface;
     type Face = Sh::Face;
-    /// Pixels that the shader discards stay discarded.
-    type Outcome = Option<Probed<Sh::Color, T>>;
+    /// Those of pixels that the shader discards are invisible.
+    type Outcome = Layer<Probed<Sh::Color, T>>;
 
     const TABLES: RequiredTables = Sh::TABLES;
 
@@ -123,21 +131,20 @@ impl<Sh: Shader<Color: ShownColor>, T: Copy> Shader for Probe<Sh, T> {
         surface: &Sh::Surface,
         face: &Sh::Face,
         fragment: Fragment<Sample<Self>>,
-    ) -> Option<Probed<Sh::Color, T>> {
+    ) -> Self::Outcome {
         let seen = (self.read)(&fragment.varyings);
-        let color = self.shader.pixel(surface, face, fragment).color()?;
-        Some(Probed { color, seen })
+        probed(self.shader.pixel(surface, face, fragment), seen)
     }
 
     fn pixels(
         &self,
         surface: &Sh::Surface,
         face: Sh::Face,
-    ) -> impl Fn(Fragment<Sample<Self>>) -> Option<Probed<Sh::Color, T>> + Copy {
+    ) -> impl Fn(Fragment<Sample<Self>>) -> Layer<Probed<Sh::Color, T>> + Copy {
         let (pixels, read) = (self.shader.pixels(surface, face), self.read);
         move |fragment| {
             let seen = read(&fragment.varyings);
-            Some(Probed { color: pixels(fragment).color()?, seen })
+            probed(pixels(fragment), seen)
         }
     }
 }

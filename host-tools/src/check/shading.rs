@@ -383,7 +383,7 @@ fn ramp_level(place: u16) -> f64 {
 
 /// The colour that the varyings of a corner stand for, from 0 to 255: 0 and 1 lie in the middle of
 /// the first and the last of 256 steps.
-fn channels(corner: &<Affine as Mode>::OnScreen<[u16; 3]>) -> [f64; 3] {
+pub(super) fn channels(corner: &<Affine as Mode>::OnScreen<[u16; 3]>) -> [f64; 3] {
     let (channels, _) = Affine::parts(corner);
     channels.map(|channel| f64::from(channel) / 256.0 - 0.5)
 }

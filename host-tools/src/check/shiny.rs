@@ -223,7 +223,7 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
             Some(fog) => fog.over(&picture, |pixel| fixed.color(pixel)),
             None => picture,
         };
-        (picture, None, Some(errors))
+        (picture, None, Some(errors), None)
     };
     let exact = move |corner: Corner| {
         let [x, y, z] = normals[corner.vertex];

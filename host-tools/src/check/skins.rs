@@ -7,7 +7,7 @@ use super::{
     surface::Surface,
 };
 use crate::{
-    model::{self, Model, TextureWrap, Textures},
+    model::{self, AlphaFormat, Model, TextureWrap, Textures},
     reference::{Mipmaps, Texel, Texture, Wrap},
 };
 
@@ -16,6 +16,8 @@ use crate::{
 pub(super) struct Skins {
     /// For the reference: the texture, or one texel of the material's colour.
     pub(super) textures: Vec<Mipmaps>,
+    /// Whether texels have an alpha that is mixed, and not one that is tested.
+    pub(super) is_translucent: bool,
     /// For the core: the texture, if there is one.
     tables: Vec<Option<AnyTable>>,
     /// The material of each triangle of the tables.
@@ -31,9 +33,12 @@ impl Skins {
         surface: &Surface,
         by_material: impl IntoIterator<Item = Option<Mipmaps>>,
     ) -> Self {
+        let is_translucent = (model.textures.as_ref())
+            .and_then(|textures| textures.alpha)
+            .is_some_and(AlphaFormat::is_translucent);
         let (mut textures, mut tables) = (Vec::new(), Vec::new());
         for (material, texture) in model.materials.iter().zip(by_material) {
-            tables.push(texture.as_ref().map(AnyTable::new));
+            tables.push(texture.as_ref().map(|texture| AnyTable::new(texture, is_translucent)));
             textures.push(texture.unwrap_or_else(|| plain(material.color)));
         }
         let run = |(number, material): (usize, &rasterizer::mesh::Material)| {
@@ -42,6 +47,7 @@ impl Skins {
         let faces = &model.exact.faces.faces;
         Self {
             textures,
+            is_translucent,
             tables,
             materials: model.materials.iter().enumerate().flat_map(run).collect(),
             file_materials: surface.faces.iter().map(|&face| faces[face].material).collect(),

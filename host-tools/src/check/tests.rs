@@ -101,6 +101,7 @@ const FRONT: View = View {
     blending: Blending::Replace,
     background: BACKGROUND,
     opacity: 1.0,
+    fade: FadeAlong::None,
     fog: None,
     lights: ViewLights::OVER_THE_SHOULDER,
     planes: ViewPlanes { sides: [None; MOST_PLANES], space: PlaneSpace::Object },

@@ -55,7 +55,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
     placed: impl Fn(usize, OnScreen<Sh>) -> PlacedCorner,
     exact: impl Fn(Corner) -> ([f64; 2], f64) + 'a,
 ) -> Result<Drawn<'a>, ViewError> {
-    let Skins { materials, file_materials, .. } = skins;
+    let Skins { materials, file_materials, is_translucent, .. } = skins;
     let (perspective, filter) = (view.perspective, view.filter);
     let shader = Probe { shader: shader.clone(), read };
     let Placed { picture, triangles, vertices, time, colors, blended, fog } =
@@ -74,6 +74,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
             let texture = texture_of(materials[sample.triangle]);
             Some(Seen {
                 texture,
+                is_translucent: *is_translucent,
                 exact: perspective.exact(&sample),
                 bounds: perspective.bounds(&sample, texture.base().size()),
                 // The core has one level for a triangle: that of its area in the texture over that
@@ -84,6 +85,8 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
         });
         let exact = seen.recolored(|_, fragment| Some(fragment.color.coordinate()));
         let texels = coordinates::compare(&coordinates, fixed, depth, &exact, perspective.reason());
+        let alphas = seen
+            .recolored(|_, fragment| Some(fragment.color.alphas(filter, Precision::OF_CHANNELS)));
         let picture = seen.recolored(|[x, y], fragment| {
             let drawn = fixed.pixels[y * size.0 + x];
             let mut color = drawn.color.map(f64::from);
@@ -102,7 +105,7 @@ pub(super) fn draw<'a, Sh: Shader<Color: ShownColor + Composite>>(
             Some(fog) => fog.over(&picture, |pixel| fixed.color(pixel)),
             None => picture,
         };
-        (picture, Some(texels), None)
+        (picture, Some(texels), None, Some(alphas))
     };
     let exact = move |corner: Corner| -> Varyings {
         let (uv, light) = exact(corner);

@@ -13,8 +13,8 @@ use rasterizer::{
 };
 
 use super::{
-    BACKGROUND, Blending, Correction, DepthFormat, Display, Filter, Fog, Look, Place, Shading,
-    ViewLights, ViewPlanes,
+    BACKGROUND, Blending, Correction, DepthFormat, Display, FadeAlong, Filter, Fog, Look, Place,
+    Shading, ViewLights, ViewPlanes,
     stand::{STEP, angle, rounded_degrees},
 };
 use crate::reference;
@@ -100,6 +100,8 @@ pub struct View {
     pub background: [u8; 3],
     /// What the opacity of all materials is multiplied by where pixels are blended, from 0 to 1.
     pub opacity: f64,
+    /// Along which axis of the model pixels fade where they are blended.
+    pub fade: FadeAlong,
     /// What colours fade into with the distance.
     pub fog: Option<Fog>,
     /// Where the model is cut.
@@ -130,6 +132,7 @@ impl Default for View {
             blending: Blending::default(),
             background: BACKGROUND,
             opacity: 1.0,
+            fade: FadeAlong::None,
             fog: None,
             planes: ViewPlanes::default(),
         }

@@ -9,8 +9,11 @@ use std::{
 use anyhow::{Context as _, Result, anyhow, bail};
 use clap::Args;
 use host_tools::{
-    check::{BACKGROUND, Bounds, Checked, Checker, Display, Matrix, Outcome, Shading, View},
-    model::Model,
+    check::{
+        BACKGROUND, Bounds, Checked, Checker, Display, Edges, LineOptions, LineOutcome, Matrix,
+        Outcome, Shading, View, judge_lines,
+    },
+    model::{Model, Options},
 };
 use serde::Serialize;
 
@@ -21,7 +24,7 @@ use super::{
     png,
     progress::Progress,
     render, table,
-    view::{Settings, ViewOptions},
+    view::{Settings, ViewOptions, within},
 };
 
 const EXAMPLES: &str = "\
@@ -34,10 +37,11 @@ Examples:
   host-tools check model.obj --filter trilinear --perspective every-16
   host-tools check model.obj --shading flat --colors binary --dither 8
   host-tools check model.obj --shading phong --light 1,2,2,0.5 --lamp 0,0.5,1.5,1
-  host-tools check model.obj --blend over --opacity 0.5
+  host-tools check model.obj --blend over --opacity 0.5 --fade y
+  host-tools check model.obj --edges 30
   host-tools check model.obj --clip 0,0,-1,0.25 --clip-in world
 
-What is judged, of faces alone (not of lines and points):
+What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
                 against its exact place: 1/2 sub-pixel of snapping, 1/8 of arithmetic. Of a texture,
                 each coordinate against the exact one, in texels: within 1/16 texel or 1/256 pixel,
@@ -46,13 +50,20 @@ What is judged, of faces alone (not of lines and points):
                 exact one: within half a degree; and the colour against that of the pixel's normal,
                 where a highlight may be off by what a cosine of 15 bits leaves of its power,
                 (1 + Ns / 32) / 256 of the light.
-                With --blend, the layers of each pixel from back to front, and their blended colour
-                against f64: 1/2 step of rounding for each layer, times what later ones let pass.
+                With --blend, the layers of each pixel from back to front: their alphas, which are
+                the product of those of the vertices (--fade), the texel, the material and
+                --opacity, within 1/2 unit of 1/256 for each that is rounded and for each product;
+                and their blended colour against f64: 1/2 step of rounding for each layer, times
+                what later ones let pass.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
                 covered those where faces meet. With --clip, a pixel is also not judged where a face
                 lies so close to a plane that quanta may bring it onto the other side.
+  Lines         The lines (l) and points (p) of the file, and with --edges the edges of its faces,
+                all of them and those that are not hidden: each pixel by the diamond-exit rule and
+                the square of a point, on the ends that the core has after clipping; depth within a
+                unit of 32 bits and colour within a step. They are not in the pictures.
   Display       With --colors: each pixel has the step that the definition of dithering gives the
                 core's colour, and one that it gives the exact colour, give or take a step of 8
                 bits. The mean of each 8x8 square of one colour is within 1/64 of white of it with
@@ -78,6 +89,15 @@ pub(super) struct Arguments {
     /// Print the result as one JSON object
     #[arg(long)]
     json: bool,
+    /// Judge the edges too in which faces meet at this angle or more, and borders: all of them, and
+    /// those that the model does not hide
+    #[arg(
+        long,
+        value_name = "DEGREES",
+        value_parser = within(0.0, 180.0),
+        allow_negative_numbers = true
+    )]
+    edges: Option<f64>,
     #[command(flatten)]
     view: ViewOptions,
 }
@@ -136,10 +156,13 @@ struct Json {
     frames: u32,
     frame: u32,
     #[serde(flatten)]
-    outcome: Outcome,
+    outcome: Option<Outcome>,
+    #[serde(flatten)]
+    lines: Option<LineOutcome>,
     bounds: Bounds,
     within_bounds: bool,
-    pictures: Pictures,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pictures: Option<Pictures>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
@@ -148,9 +171,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     if let Some(directory) = &arguments.pictures {
         allow_directory(directory)?;
     }
-    let model = convert::load(path, &arguments.view.conversion())?;
-    refuse_without_faces(path, &model)?;
+    let conversion = Options { edges_degrees: arguments.edges, ..arguments.view.conversion() };
+    let model = convert::load(path, &conversion)?;
     let view = arguments.view.view(Shading::of(&model));
+    let lines = judged_lines(path, &model, &view, arguments)?;
+    if model.report.triangles == 0 {
+        return without_faces(arguments, &model, &view, lines);
+    }
     let worst = worst_frame(path, &model, &view, frames)?;
     if !worst.checked.outcome.shows_something() {
         output::complain("warning", &render::nothing_seen(path));
@@ -170,7 +197,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let legend = write_pictures(&worst.checked, &pictures, view.display)?;
 
     let outcome = worst.checked.outcome;
-    let is_within_bounds = outcome.is_within(&Bounds::ARITHMETIC);
+    let is_within_bounds =
+        outcome.is_within(&Bounds::ARITHMETIC) && lines.is_none_or(|lines| lines.is_within());
     let settings = Settings::of(&model, &view);
     let text = if arguments.json {
         let object = Json {
@@ -180,10 +208,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             settings,
             frames,
             frame: worst.frame,
-            outcome,
+            outcome: Some(outcome),
+            lines,
             bounds: Bounds::ARITHMETIC,
             within_bounds: is_within_bounds,
-            pictures,
+            pictures: Some(pictures),
         };
         output::json(&object)?
     } else {
@@ -194,6 +223,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             writeln!(text, "The worst of {frames} frames: frame {}", worst.frame)?;
         }
         writeln!(text, "\n{}", table::comparisons(&outcome, &Bounds::ARITHMETIC))?;
+        if let Some(lines) = &lines {
+            writeln!(text, "{}", table::of_lines(lines))?;
+        }
         writeln!(text, "{}\n", table::meaning(&model, &outcome, &Bounds::ARITHMETIC))?;
         writeln!(text, "Fixed point  {}", pictures.fixed.display())?;
         writeln!(text, "Reference    {}", pictures.reference.display())?;
@@ -202,6 +234,71 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             writeln!(text, "Display      {}, beside the nearest colours", path.display())?;
         }
         text + &table::legend(&legend)
+    };
+    Ok(Done { output: text.into(), is_within_bounds })
+}
+
+/// Judges the lines and points of a model in every frame of the turntable, and its edges; `None`
+/// without any.
+fn judged_lines(
+    path: &Path,
+    model: &Model,
+    view: &View,
+    arguments: &Arguments,
+) -> Result<Option<LineOutcome>> {
+    let kinds: &[Edges] = match arguments.edges {
+        Some(_) => &[Edges::All, Edges::Visible],
+        None if model.report.lines + model.report.points > 0 => &[Edges::None],
+        None => return Ok(None),
+    };
+    let frames = arguments.view.frames.unwrap_or(1);
+    let mut found = LineOutcome::default();
+    for frame in 0..frames {
+        for &edges in kinds {
+            let options = LineOptions { edges, ..LineOptions::default() };
+            let view = view.turned(frame, frames);
+            let of_frame = judge_lines(model, &view, options)
+                .map_err(|error| render::refused(path, &error))?;
+            found = found.and(of_frame);
+        }
+    }
+    Ok(Some(found))
+}
+
+/// The result for a model of lines and points alone, of which there are no pictures.
+fn without_faces(
+    arguments: &Arguments,
+    model: &Model,
+    view: &View,
+    lines: Option<LineOutcome>,
+) -> Result<Done> {
+    let path = &arguments.model;
+    let (settings, lines) = (Settings::of(model, view), lines.unwrap_or_default());
+    if lines.line_pixels == 0 {
+        output::complain("warning", &render::nothing_seen(path));
+    }
+    let (is_within_bounds, vertices) = (lines.is_within(), model.report.vertices);
+    let text = if arguments.json {
+        output::json(&Json {
+            model: path.to_string_lossy().into_owned(),
+            vertices,
+            triangles: 0,
+            settings,
+            frames: arguments.view.frames.unwrap_or(1),
+            frame: 0,
+            outcome: None,
+            lines: Some(lines),
+            bounds: Bounds::ARITHMETIC,
+            within_bounds: is_within_bounds,
+            pictures: None,
+        })?
+    } else {
+        format!(
+            "{}: {vertices} vertices, no faces\n{}\n\n{}",
+            path.display(),
+            settings.summary(),
+            table::of_lines(&lines)
+        )
     };
     Ok(Done { output: text.into(), is_within_bounds })
 }
@@ -216,7 +313,7 @@ pub(super) fn refuse_without_faces(path: &Path, model: &Model) -> Result<()> {
         );
     }
     if model.report.lines + model.report.points > 0 {
-        let text = format!("{path}: lines and points are not judged, and not in these pictures");
+        let text = format!("{path}: lines and points are not in these pictures");
         output::complain("warning", &text);
     }
     Ok(())

@@ -2,7 +2,8 @@
 
 use host_tools::{
     check::{
-        BlendError, Bounds, Comparison, Deviation, Fault, Outcome, TexelError, VertexError, Wrong,
+        AlphaError, BlendError, Bounds, Comparison, Deviation, Fault, LineOutcome, Outcome,
+        TexelError, VertexError, Wrong,
     },
     model::{Model, thousands},
 };
@@ -79,6 +80,15 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
         let most = blend.blend_layer_max_error;
         let verdict = bound(most, bounds.color_max_error);
         text += &line("Layer colour error, of 255", [&most.to_string(), &verdict, "", ""]);
+        let verdict = blend.blend_alpha_worst.map_or_else(
+            || bound(blend.blend_alpha_max_error, 0.0),
+            |worst| {
+                let verdict = if worst.is_within() { "ok" } else { "FAIL" };
+                format!("{:.4} {verdict}", worst.bound_units)
+            },
+        );
+        let most = format!("{:.4}", blend.blend_alpha_max_error);
+        text += &line("Layer alpha error, of 256", [&most, &verdict, "", ""]);
         let verdict = blend.blend_worst.map_or_else(String::new, |worst| {
             let verdict = if worst.is_within() { "ok" } else { "FAIL" };
             format!("{:.4} {verdict}", worst.bound_steps)
@@ -101,6 +111,31 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
             let bound = bound(display.block_max_error, most);
             text += &line("Mean of even 8x8 squares, of 1", [&error, &bound, "", ""]);
         }
+    }
+    text
+}
+
+/// What was found of lines and points, with the bounds and whether they are kept.
+pub(super) fn of_lines(lines: &LineOutcome) -> String {
+    let mut text = String::new();
+    let mut line = |title: &str, found: String, bound: String| {
+        text += format!("{title:<32}{found:>12}  {bound}").trim_end();
+        text += "\n";
+    };
+    line("Lines seen, or parts of them", thousands(lines.lines), String::new());
+    line("Points seen", thousands(lines.points), String::new());
+    line("Pixels that they own", thousands(lines.line_pixels), String::new());
+    line("Pixels of these that are hidden", thousands(lines.line_pixels_hidden), String::new());
+    let mismatches = lines.line_coverage_mismatches;
+    line("Coverage mismatches, pixels", thousands(mismatches), bound(mismatches as f64, 0.0));
+    let depth = lines.line_depth_max_ulp;
+    let verdict = bound(depth, LineOutcome::DEPTH_MAX_ULP);
+    line("Depth error at most, of 2^32", format!("{depth:.3}"), verdict);
+    let color = lines.line_color_max_error;
+    let verdict = bound(color, LineOutcome::COLOR_MAX_ERROR);
+    line("Colour error at most, of 255", color.to_string(), verdict);
+    if let Some([x, y]) = lines.line_first_wrong {
+        text += &format!("The first wrong pixel of lines: column {x} of row {y}.\n");
     }
     text
 }
@@ -159,6 +194,18 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
                 "\n  Column {x} of row {y}: the blended colour of {layers} layers is \
                  {error_steps:.4} steps off, and may be {bound_steps:.4}."
             );
+        }
+        if let Some(AlphaError { pixel: [x, y], triangle, error_units, bound_units }) =
+            blend.blend_alpha_worst.filter(|worst| !worst.is_within())
+        {
+            text += &format!(
+                "\n  Column {x} of row {y}: the alpha of triangle {triangle} of the tables is \
+                 {error_units:.4} of 256 off, and may be {bound_units:.4}."
+            );
+        }
+        if blend.blend_alpha_worst.is_some() {
+            let reason: &str = blend.blend_alpha_bound.into();
+            text += &format!("\n  The bound of an alpha: {reason}.");
         }
         let reason: &str = blend.blend_bound.into();
         text += &format!("\n  The bound of a blended colour: {reason}.");

@@ -36,6 +36,13 @@ pub struct Layer {
     pub alpha: f64,
 }
 
+/// The alpha of a layer that several things make translucent: each lets its part of what is behind
+/// it be covered, so that they multiply.
+#[must_use]
+pub fn combined_alpha(alphas: &[f64]) -> f64 {
+    alphas.iter().product()
+}
+
 impl Blend {
     /// Returns a stored colour with a layer on it.
     #[must_use]

@@ -50,6 +50,7 @@
 //! | which pixels of a line | `line.rs` | Vulkan specification, "Bresenham line segment rasterization" |
 //! | how much of a pixel an antialiased line covers | `smooth_line.rs` | derived there |
 //! | which pixels of a point | `point.rs` | Vulkan specification, "Basic point rasterization" |
+//! | which pixels of a particle, and which part of its picture | `sprite.rs` | Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | triangles of a polygon | `polygon.rs` | Meisters, "Polygons have ears", American Mathematical Monthly 82(6), 1975 |
 //! | what outlines enclose | `winding.rs` | Shimrat, "Algorithm 112: Position of point relative to polygon", CACM 5(8), 1962 |
 //! | values between vertices | `interpolate.rs` | Vulkan specification, "Basic polygon rasterization" |
@@ -60,7 +61,8 @@
 //! | mip levels | `mipmaps.rs` | Williams, "Pyramidal parametrics", SIGGRAPH 1983 |
 //! | stored depth | `depth.rs` | IEEE 754, without a sign |
 //! | colours of a display, dithering | `display.rs` | Bayer, "An optimum method for two-level rendition of continuous-tone pictures", ICC 1973; IEC 61966-2-1 |
-//! | layers over a background | `blend.rs` | W3C, Compositing and Blending Level 1 |
+//! | an alpha along an axis | `fade.rs` | |
+//! | layers over a background, alphas of several causes | `blend.rs` | W3C, Compositing and Blending Level 1 |
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
@@ -71,6 +73,7 @@ mod clip;
 mod coverage;
 mod depth;
 mod display;
+mod fade;
 mod fog;
 mod footprint;
 mod interpolate;
@@ -88,16 +91,18 @@ mod sample;
 mod scene;
 mod screen;
 mod smooth_line;
+mod sprite;
 mod texture;
 mod winding;
 mod wrap;
 
-pub use blend::{Blend, Layer};
+pub use blend::{Blend, Layer, combined_alpha};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
 pub use clip::{HalfSpace, clip_ring};
 pub use depth::DepthFormat;
 pub use display::{Display, Steps, luma};
+pub use fade::Fade;
 pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
 pub use lights::{Finish, Lamp, Lights, Sun, Viewer};
@@ -111,6 +116,7 @@ pub use sample::Sample;
 pub use scene::{draw_clipped_scene, draw_scene};
 pub use screen::{ScreenTriangle, ScreenVertex, draw_screen};
 pub use smooth_line::SmoothLine;
+pub use sprite::Sprite;
 pub use texture::{Texel, Texture, is_opaque, lit};
 pub use winding::{Pixels, Winding};
 pub use wrap::Wrap;

@@ -112,7 +112,7 @@ impl<P: Projection> Camera<P> {
     }
 
     /// The length on the screen of a unit at w = 1.
-    fn pixels_per_unit(&self) -> Float {
+    pub(super) fn pixels_per_unit(&self) -> Float {
         let [across, deep] = self.projection().magnification(self.viewport().size.height);
         if P::IS_PARALLEL { across } else { across.times(deep.reciprocal()) }
     }

@@ -55,7 +55,7 @@ use crate::{
 /// The light shines on the side that the plane's normal points to; otherwise there is no shadow.
 /// Vertices are placed as an object's, with the largest coordinate m of
 /// [`PoseError`](super::PoseError) taken of the shadow: it is refused where a low sun makes it too
-/// long. The shadow of a light at a point is not supported.
+/// long. The shadow of a light at a point is a [`LampShadow`](super::LampShadow).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct PlanarShadow {
     plane: Plane,

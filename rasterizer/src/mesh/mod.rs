@@ -168,6 +168,20 @@ impl<'a> Mesh<'a> {
         }
     }
 
+    /// The same mesh with its vertices elsewhere, as many as it has, and without normals.
+    pub(crate) const fn with_positions(&self, positions: &'a [[i16; 3]], scale: Scale) -> Self {
+        let bounds = BoundingBox::of(positions);
+        let tables = Tables {
+            positions: Positions::I16(positions),
+            scale,
+            offset: Vec3::ZERO,
+            vertex_normals: Normals::NONE,
+            face_normals: Normals::NONE,
+            ..self.tables
+        };
+        Self { tables, bounds, spare_bits: bounds.spare_bits() }
+    }
+
     /// The checked tables.
     #[must_use]
     pub const fn tables(&self) -> &Tables<'a> {

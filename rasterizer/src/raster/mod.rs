@@ -17,6 +17,7 @@ mod line;
 mod point;
 mod primitive;
 mod smooth_line;
+mod square;
 mod triangle;
 mod window;
 
@@ -26,6 +27,7 @@ pub use line::Line;
 pub use point::Point;
 pub use primitive::{Fragment, FragmentOf, Primitive, Span};
 pub use smooth_line::SmoothLine;
+pub(crate) use square::Square;
 pub use triangle::Triangle;
 pub(crate) use triangle::{first_center, signed_area};
 pub use window::{Layout, Window};

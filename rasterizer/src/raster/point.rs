@@ -6,7 +6,7 @@
 //! Direct3D 10 and later (functional specification 3.4.5: as two triangles, with the top-left
 //! rule). It has `size` pixels in each of `size` rows, wherever the vertex lies.
 
-use super::{Layout, Primitive, Span, Triangle, Window, first_center, signed_area};
+use super::{Layout, Primitive, Span, Window, square::Square};
 use crate::{
     attribute::{DepthFormat, Interpolate},
     geometry::ScreenVertex,
@@ -37,17 +37,6 @@ impl<'v, S: Subpixel, D: DepthFormat, V: Interpolate> Point<'v, S, D, V> {
     pub const fn sized(self, size: u8) -> Self {
         Self { size: size as i32, ..self }
     }
-
-    /// Depth and varyings, which are the same at all pixels: those of a triangle whose corners have
-    /// the same.
-    fn fields(&self, layout: Layout) -> (D::Field, V::Field) {
-        let &ScreenVertex { x, y, depth, varyings, .. } = self.vertex;
-        let pixel = 1 << S::BITS;
-        let right = ScreenVertex::new(x + pixel, y, depth, varyings);
-        let below = ScreenVertex::new(x, y + pixel, depth, varyings);
-        let corners = [self.vertex, &right, &below];
-        Triangle::with_area(corners, signed_area(corners)).fields(layout)
-    }
 }
 
 impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Point<'_, S, D, V> {
@@ -58,29 +47,8 @@ impl<S: Subpixel, D: DepthFormat, V: Interpolate> Primitive for Point<'_, S, D, 
         &self,
         window: &Window,
         layout: Layout,
-        mut visit: impl FnMut(&Span<'_, D, V>) -> Result<(), E>,
+        visit: impl FnMut(&Span<'_, D, V>) -> Result<(), E>,
     ) -> Result<(), E> {
-        // Whole sub-pixels: a pixel has at least two.
-        let half = (self.size << S::BITS) >> 1;
-        let pixels = |middle| [middle - half, middle + half].map(first_center::<S>);
-        let ([left, right], [top, bottom]) = (pixels(self.vertex.x), pixels(self.vertex.y));
-        let covered = Window { left, top, right, bottom }.intersection(window);
-        if covered.is_empty() {
-            return Ok(());
-        }
-        let (depth, varyings) = self.fields(layout);
-        for row in covered.top..covered.bottom {
-            let address = layout.row_address(row);
-            let start = address.wrapping_add(covered.left);
-            visit(&Span {
-                row,
-                start: start as usize,
-                end: address.wrapping_add(covered.right) as usize,
-                depth: depth.at(start, row),
-                depth_step: depth.per_column,
-                varyings: &varyings,
-            })?;
-        }
-        Ok(())
+        Square::about(self.vertex, self.size << S::BITS).for_each_span(window, layout, visit)
     }
 }

@@ -19,7 +19,8 @@ pub enum ProjectError {
         /// The number of words that they take.
         needed: usize,
     },
-    /// There are fewer words than the mesh has triangles to sort from back to front.
+    /// There are fewer words than the mesh has triangles, or the slice has particles, to sort from
+    /// back to front.
     SortStorage {
         /// The number of words that they take.
         needed: usize,
@@ -29,6 +30,13 @@ pub enum ProjectError {
         /// The number of its objects.
         needed: usize,
     },
+    /// There is room for fewer particles on the screen than the slice has.
+    ParticleStorage {
+        /// The number of particles that the slice has.
+        needed: usize,
+    },
+    /// The slice has over 65,536 particles: draw it in parts.
+    TooManyParticles,
     /// The shader reads normals of vertices, and the mesh has none: convert the model with them.
     NoVertexNormals,
     /// The shader reads normals of triangles, and the mesh has none: convert the model with them.
@@ -60,11 +68,15 @@ impl core::fmt::Display for ProjectError {
                 write!(f, "the bands need {needed} words for their triangles")
             }
             Self::SortStorage { needed } => {
-                write!(f, "sorting the triangles from back to front takes {needed} words")
+                write!(f, "sorting from back to front takes {needed} words")
             }
             Self::RowStorage { needed } => {
                 write!(f, "the scene needs storage for the rows of {needed} objects")
             }
+            Self::ParticleStorage { needed } => {
+                write!(f, "the slice needs storage for {needed} particles on the screen")
+            }
+            Self::TooManyParticles => f.write_str("a slice has at most 65,536 particles"),
             Self::NoVertexNormals => {
                 f.write_str("the shader needs vertex normals, which the mesh was converted without")
             }

@@ -116,6 +116,19 @@ where
         })
     }
 
+    /// Visits the lines that [`draw`](Self::draw) draws, or the parts of them that are left after
+    /// clipping, each by its start and its end on the screen.
+    ///
+    /// # Errors
+    ///
+    /// Returns the first error of `visit`, and visits no line after it.
+    pub fn for_each_line<E>(
+        &self,
+        mut visit: impl FnMut([&ScreenVertex<V::Subpixel, V::Depth, OnScreen<Sh>>; 2]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.for_each_on_screen(|ends| visit(ends.each_ref()))
+    }
+
     /// Visits the ends of the lines, or of the parts of them that are left after clipping.
     #[inline(never)]
     pub(super) fn for_each_on_screen<E>(

@@ -119,6 +119,18 @@ where
         })
     }
 
+    /// Visits the points that [`draw`](Self::draw) draws, each by its place on the screen.
+    ///
+    /// # Errors
+    ///
+    /// Returns the first error of `visit`, and visits no point after it.
+    pub fn for_each_point<E>(
+        &self,
+        mut visit: impl FnMut(&Vertex<V, Sh>) -> Result<(), E>,
+    ) -> Result<(), E> {
+        self.for_each_on_screen(|vertex| visit(&vertex))
+    }
+
     /// Visits the points that are on the screen.
     #[inline(never)]
     fn for_each_on_screen<E>(

@@ -24,6 +24,7 @@ mod ramp;
 mod recolored;
 #[cfg(test)]
 mod scenes;
+mod sprite;
 mod textured;
 mod visible;
 
@@ -41,6 +42,7 @@ pub use lighting::{FarViewer, Lamp, Level, Light, Lighting, NearViewer, ViewedFr
 pub use phong::{Phong, PhongCorrection};
 pub use ramp::Ramp;
 pub use recolored::Recolored;
+pub use sprite::{Frames, Sprite, Squares, TintedFrames};
 pub use textured::{
     Covered, Matcap, Slot, Textured, TexturedFlat, TexturedGouraud, VertexCoordinates,
 };

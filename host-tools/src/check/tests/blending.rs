@@ -2,7 +2,10 @@
 //! found.
 
 use super::*;
-use crate::reference::Blend;
+use crate::{
+    model::{AlphaFormat, TextureOptions},
+    reference::Blend,
+};
 
 const MODES: [Blend; 5] = [Blend::Over, Blend::Add, Blend::Multiply, Blend::Screen, Blend::Replace];
 
@@ -79,23 +82,92 @@ fn every_fault_is_found() {
     let drawn = shading::draw(&model, &surface, &skins, &view).unwrap();
     let layers = drawn.blended.unwrap();
     let (reference, ..) = (drawn.arithmetic)(&drawn.picture);
-    assert!(layers.judge(&reference, true).is_within(1.0));
+    assert!(layers.judge(&reference, None, true).is_within(1.0));
     let pixel = layers.first_with_layers(2);
 
     let mut fewer = layers.clone();
     fewer.drop_layer(pixel);
-    let found = fewer.judge(&reference, true);
+    let found = fewer.judge(&reference, None, true);
     assert!(!found.is_within(1.0) && found.blend_layer_mismatches == 1, "{found:?}");
 
     let mut swapped = layers.clone();
     swapped.tint_layer(pixel, 40.0);
-    let found = swapped.judge(&reference, true);
+    let found = swapped.judge(&reference, None, true);
     assert!(!found.is_within(1.0) && found.blend_layer_max_error >= 39.0, "{found:?}");
+
+    let mut thin = layers.clone();
+    thin.thin_layer(pixel, 3.0);
+    let found = thin.judge(&reference, None, true);
+    let worst = found.blend_alpha_worst.unwrap();
+    assert!(!found.is_within(1.0) && !worst.is_within(), "{found:?}");
+    assert!((worst.error_units, worst.pixel) == (3.0, [pixel % 320, pixel / 320]), "{found:?}");
 
     let mut off = layers;
     off.colors[pixel][1] ^= 2;
-    let found = off.judge(&reference, true);
+    let found = off.judge(&reference, None, true);
     let [x, y] = [pixel % 320, pixel / 320];
     assert!(!found.is_within(1.0) && found.blend_worst.unwrap().pixel == [x, y], "{found:?}");
     assert_eq!((found.blend_layer_mismatches, found.blend_layer_max_error <= 1.0), (0, true));
+}
+
+/// A model that fades along each axis, in every mode; and clipped, where varyings are cut.
+#[test]
+fn alphas_of_vertices_pass() {
+    let model = shipped("torus_knot.obj");
+    for (blend, opacity) in MODES.into_iter().zip([1.0, 0.3, 1.0, 0.77, 0.5]) {
+        for fade in [FadeAlong::X, FadeAlong::Y, FadeAlong::Z] {
+            let view = View { blending: Blending::By(blend), opacity, fade, ..FRONT };
+            let found = blended(&model, &View { shading: Shading::Gouraud, ..view });
+            if blend == Blend::Replace {
+                continue;
+            }
+            // One alpha is rounded, or two and their product.
+            let bound = if opacity < 1.0 { 1.504 } else { 0.502 } + 1.0 / 64.0;
+            let worst = found.blend_alpha_worst.unwrap();
+            assert!((worst.bound_units - bound).abs() < 1e-9, "{found:?}");
+            assert!(found.blend_alpha_max_error > 0.4, "{found:?}");
+        }
+    }
+    let blending = Blending::By(Blend::Over);
+    let view = View { blending, fade: FadeAlong::Y, distance: 0.8, ..FRONT };
+    blended(&model, &View { shading: Shading::Unlit, ..view });
+}
+
+/// A square in a texture whose alpha goes from 0 to 255, by every filter, as a plane of 4 bits, of
+/// 8 bits, and as a mask.
+#[test]
+fn alphas_of_texels_pass() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("m.obj");
+    let square = "mtllib m.mtl\nusemtl m\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n\
+                  vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+    fs::write(&path, square).unwrap();
+    fs::write(directory.path().join("m.mtl"), "newmtl m\nmap_Kd -clamp on m.png\nd 0.8\n").unwrap();
+    let mut png =
+        png::Encoder::new(fs::File::create(directory.path().join("m.png")).unwrap(), 16, 16);
+    png.set_color(png::ColorType::Rgba);
+    let texel = |i: usize| [200, 16 * (i / 16) as u8, 90, 17 * (i % 16) as u8];
+    let pixels: Vec<u8> = (0..256).flat_map(texel).collect();
+    png.write_header().unwrap().write_image_data(&pixels).unwrap();
+    for alpha in [AlphaFormat::Bits1, AlphaFormat::Translucent4, AlphaFormat::Translucent8] {
+        let textures = TextureOptions { alpha: Some(alpha), mipmaps: true, ..Default::default() };
+        let model = Model::load(&path, &Options { textures: Some(textures), ..Options::default() })
+            .unwrap();
+        for (_, filter) in Filter::NAMES {
+            for (_, blending) in Blending::NAMES {
+                for fade in [FadeAlong::None, FadeAlong::X] {
+                    let shading = Shading::Textured;
+                    let view = View { shading, filter, blending, fade, opacity: 0.9, ..FRONT };
+                    let outcome = pass(&model, &view);
+                    let Some(found) = outcome.arithmetic.blend else { continue };
+                    let has_alphas = blending != Blending::By(Blend::Replace);
+                    // The fade runs against the texture: together they are below half everywhere,
+                    // and what replaces is left out.
+                    let is_empty = !has_alphas && fade == FadeAlong::X;
+                    assert_eq!(found.blend_pixels < 2_000, is_empty, "{alpha:?} {found:?}");
+                    assert_eq!(found.blend_alpha_worst.is_some(), has_alphas, "{found:?}");
+                }
+            }
+        }
+    }
 }

@@ -23,6 +23,7 @@ fn seen(texture: &Mipmaps, texels: [f64; 2], level: f64, bound: f64) -> Seen<'_>
     let slope = 2f64.powf(level) / 8.0;
     Seen {
         texture,
+        is_translucent: false,
         exact: Footprint {
             uv: texels.map(|c| c / 8.0),
             per_column: [slope, 0.0],

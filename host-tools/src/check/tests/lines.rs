@@ -1,6 +1,17 @@
 //! Edges of a model as lines, and the lines and points of its file.
 
-use super::*;
+use embedded_graphics_core::pixelcolor::Rgb888;
+use rasterizer::{
+    geometry::ScreenVertex,
+    numbers::S4,
+    output::{Frame, Target as _},
+    raster::{self, Window},
+};
+
+use super::{
+    super::judged_lines::{Canvas, Owners},
+    *,
+};
 
 /// A cube with its edges, seen from a corner.
 fn cube(least_degrees: f64) -> Model {
@@ -105,4 +116,96 @@ fn lines_alone_are_a_picture() {
     let picture = render(&model, &FRONT).unwrap();
     assert!(count(&picture, [200; 3]) > 60);
     assert!(picture.pixels.iter().all(|pixel| pixel.depth == 0 || pixel.color == [200; 3]));
+}
+
+/// In both precisions, from far, and cut by the near plane; all edges, and those that are seen.
+#[test]
+fn lines_and_points_pass() {
+    let [mut lines, mut points, mut pixels, mut hidden] = [0; 4];
+    for model in [with_elements(), cube(0.0), colored_elements()] {
+        for (distance, subpixel) in [(4.0, Subpixel::S4), (4.0, Subpixel::S8), (1.6, Subpixel::S8)]
+        {
+            for edges in [Edges::None, Edges::All, Edges::Visible] {
+                for (line_width, point_size) in [(1, 3), (4, 8)] {
+                    let options =
+                        LineOptions { edges, line_width, point_size, ..LineOptions::default() };
+                    let view = View {
+                        distance,
+                        subpixel,
+                        yaw_degrees: 33.0,
+                        pitch_degrees: 21.0,
+                        ..FRONT
+                    };
+                    let found = judge_lines(&model, &view, options).unwrap();
+                    assert!(found.is_within(), "{edges:?} at {distance}: {found:?}");
+                    lines += found.lines;
+                    points += found.points;
+                    pixels += found.line_pixels;
+                    hidden += found.line_pixels_hidden;
+                    // Nothing hides edges that are drawn without surfaces.
+                    assert!(
+                        edges != Edges::All
+                            || model.points.iter().any(|p| !p.is_empty())
+                            || found.line_pixels_hidden < found.line_pixels / 4
+                    );
+                }
+            }
+        }
+    }
+    assert!(
+        lines > 300 && points > 20 && pixels > 20_000 && hidden > 2_000,
+        "{lines} {points} {pixels} {hidden}"
+    );
+    let shipped = shipped("gear.obj");
+    let found = judge_lines(&shipped, &FRONT, LineOptions::default()).unwrap();
+    assert_eq!(found, LineOutcome::default());
+}
+
+/// Two lines and a point in the colours of their vertices.
+fn colored_elements() -> Model {
+    let obj = "v -1 -1 0 1 0 0\nv 1 -0.8 0.3 0 1 0\nv 0.2 0.9 -0.5 0 0 1\nv 0.1 0.1 0.1 1 1 0\n\
+               l 1 2 3\np 4\n";
+    Model::from_bytes(std::path::Path::new("m.obj"), obj.as_bytes(), &Options::default()).unwrap()
+}
+
+/// A frame that the core has drawn, then changed in one pixel.
+#[test]
+fn wrong_pixels_of_lines_are_found() {
+    let view = FRONT;
+    let vertex = |x: i32, y: i32, depth| {
+        ScreenVertex::<S4, u32, [u16; 0]>::checked(x, y, depth, []).unwrap()
+    };
+    let ends = [vertex(100, 200, 9_000_000), vertex(900, 640, 5_000_000)];
+    let line = raster::Line::new(ends.each_ref()).unwrap();
+    let before =
+        Canvas { colors: vec![Rgb888::new(1, 2, 3); 320 * 240], depth: vec![0; 320 * 240] };
+    let mut after = before.clone();
+    let color = Rgb888::new(200, 100, 50);
+    let draw = |frame: &mut Frame<'_, Rgb888, &mut [u32]>| {
+        frame.fill(&line, &Window::new(&view.area()), color)
+    };
+    after.draw(&view, draw).unwrap();
+    let mut owners = Owners::new::<S4>(&view, LineOptions::default());
+    owners.add_line(ends.each_ref(), [[200.0, 100.0, 50.0]; 2]);
+    let judge = |after: &Canvas| owners.judge(&before, after);
+    let right = judge(&after);
+    assert!(right.is_within() && right.line_pixels == 50, "{right:?}");
+
+    let drawn = after.depth.iter().position(|&depth| depth != 0).unwrap();
+    let place = Some([drawn % 320, drawn / 320]);
+    let mut missing = after.clone();
+    (missing.depth[drawn], missing.colors[drawn]) = (0, before.colors[drawn]);
+    let found = judge(&missing);
+    assert_eq!((found.line_coverage_mismatches, found.line_first_wrong), (1, place));
+    let mut extra = after.clone();
+    extra.depth[0] = 7;
+    assert_eq!(judge(&extra).line_first_wrong, Some([0, 0]));
+    let mut deep = after.clone();
+    deep.depth[drawn] += 5;
+    let found = judge(&deep);
+    assert!(found.line_depth_max_ulp > 3.0 && !found.is_within(), "{found:?}");
+    let mut tinted = after;
+    tinted.colors[drawn] = Rgb888::new(200, 103, 50);
+    let found = judge(&tinted);
+    assert!(found.line_color_max_error == 3.0 && found.line_first_wrong == place, "{found:?}");
 }

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use host_tools::{
-    check::{BACKGROUND, Blending, View},
+    check::{BACKGROUND, Blending, FadeAlong, View},
     reference::Blend,
 };
 
@@ -32,12 +32,21 @@ pub(super) struct BlendingOptions {
         allow_negative_numbers = true
     )]
     opacity: f64,
+    /// Along which axis of the model pixels fade with --blend: opaque at its lower end, clear at
+    /// the upper one, by an alpha of each vertex
+    #[arg(
+        long,
+        value_name = "AXIS",
+        default_value = name(&FadeAlong::NAMES, View::default().fade),
+        value_parser = choice(&FadeAlong::NAMES)
+    )]
+    fade: FadeAlong,
 }
 
 impl BlendingOptions {
     pub(super) const fn over(&self, view: View) -> View {
-        let Self { blend, painter, opacity } = *self;
+        let Self { blend, painter, opacity, fade } = *self;
         let blending = if painter { Blending::By(Blend::Replace) } else { blend };
-        View { blending, opacity, background: BACKGROUND, ..view }
+        View { blending, opacity, fade, background: BACKGROUND, ..view }
     }
 }

@@ -2,8 +2,8 @@
 
 use host_tools::{
     check::{
-        Blending, Colors, Correction, DepthFormat, Filter, FogBy, Lamp, PlaneSpace, Projection,
-        Shading, Sun, View,
+        Blending, Colors, Correction, DepthFormat, FadeAlong, Filter, FogBy, Lamp, PlaneSpace,
+        Projection, Shading, Sun, View,
     },
     model::Model,
     reference::{Blend, HalfSpace},
@@ -30,6 +30,7 @@ pub(in crate::cli) struct Settings {
     dither: Option<u32>,
     blend: &'static str,
     opacity: f64,
+    fade: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     fog: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -87,6 +88,7 @@ impl Settings {
             ambient: view.lights.ambient,
             blend: name(&Blending::NAMES, view.blending),
             opacity: view.opacity,
+            fade: name(&FadeAlong::NAMES, view.fade),
             fog: view.fog.map(|fog| law(fog.law)),
             fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             clip_in: (!clip.is_empty()).then(|| name(&PlaneSpace::NAMES, view.planes.space)),
@@ -119,7 +121,12 @@ impl Settings {
         } else if self.blend == name(&Blending::NAMES, Blending::By(Blend::Replace)) {
             ", from back to front without a depth buffer".to_owned()
         } else {
-            format!(", blended by {} at {} of its opacity", self.blend, self.opacity)
+            let fade = if self.fade == name(&FadeAlong::NAMES, FadeAlong::None) {
+                String::new()
+            } else {
+                format!(", fading along {}", self.fade)
+            };
+            format!(", blended by {} at {} of its opacity{fade}", self.blend, self.opacity)
         };
         let fog = match (&self.fog, self.fog_by) {
             (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),

@@ -1,5 +1,5 @@
-//! The bench scenes of light, colour, blending, fog, lines and points, of a scissor, of layers that
-//! are shaded once, of several samples a pixel, and of a mesh between two shapes.
+//! The bench scenes of light, colour, blending, fog, lines, points and particles, of a scissor, of
+//! layers that are shaded once, of several samples a pixel, and of a mesh between two shapes.
 
 mod blend;
 mod color;
@@ -8,6 +8,7 @@ mod layers;
 mod light;
 mod lines;
 mod motion;
+mod particles;
 mod samples;
 mod scissor;
 
@@ -44,6 +45,7 @@ pub fn main<const SET_UP: bool>() {
         scenes.layers();
         scenes.samples();
         scenes.motion();
+        scenes.particles();
     });
 }
 

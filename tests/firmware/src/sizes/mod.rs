@@ -17,6 +17,7 @@ mod light;
 mod lines;
 mod motion;
 mod painter;
+mod particles;
 pub mod scenes;
 mod textured;
 

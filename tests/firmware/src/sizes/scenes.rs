@@ -25,6 +25,7 @@ pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
 pub use super::lines::{LinesDirect, LinesHidden, LinesSmooth, PointsDirect};
 pub use super::motion::{GouraudFile, GouraudMorph, GouraudMoving};
 pub use super::painter::PainterDirect;
+pub use super::particles::ParticlesAdd;
 pub use super::textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };
