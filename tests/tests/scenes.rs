@@ -8,12 +8,15 @@ use rasterizer::{
     attribute::{FloatDepth, NoDepth},
     camera::{Camera, Distance, Perspective},
     color::Alpha,
-    geometry::{ClipNone, CullNone, PlanarShadow, Plane, Pose, Projection, ScreenVertex},
+    geometry::{
+        ClipNone, CullNone, Particle, PlanarShadow, Plane, Pose, Projection, ScreenParticle,
+        ScreenVertex,
+    },
     mesh::{Mesh, Tables},
     numbers::{Matrix, Rotation, S4, S8, Scalar, Subpixel, Turn, Vec3},
     output::Add,
-    scene::{Levels, Needs, Object, Painter, ProjectError, RowRange, Scene, each},
-    shade::{Gouraud, Unlit},
+    scene::{Levels, Needs, Object, Painter, Particles, ProjectError, RowRange, Scene, each},
+    shade::{Gouraud, Squares, Unlit},
 };
 use rasterizer_tests::{
     Placed, Random,
@@ -164,7 +167,7 @@ fn a_scene_is_like_its_objects() {
 }
 
 #[test]
-fn sorted_objects_are_drawn_among_others() {
+fn what_is_sorted_is_drawn_among_others() {
     let ball = ball();
     let mesh = Mesh::new(Tables { materials: &MATERIALS, ..*ball.mesh().tables() }).unwrap();
     let camera = at("3", DISPLAY);
@@ -179,6 +182,22 @@ fn sorted_objects_are_drawn_among_others() {
     let whole = picture::<NoDepth>(ROWS, |frame| painter.draw(frame));
     let scene = Scene::new((&painter,), &camera, S4, &mut []).unwrap();
     assert!(whole == picture::<NoDepth>(7, |band| scene.draw(band)));
+
+    let sparks = [-9, 0, 9].map(|x| {
+        let place = Vec3::from_bits([x << 12, 0, x << 13]);
+        Particle::new(place, Distance::lit("0.3"), Rgb888::new(200, 100, (x + 9) as u8))
+    });
+    let mut places = [ScreenParticle::EMPTY; 3];
+    let mut order = [0; 3];
+    let sparks = Particles::new(&sparks, Squares).project(&camera, &mut places).unwrap();
+    let sparks = sparks.back_to_front(&mut order).unwrap();
+    let with_sparks = picture::<NoDepth>(ROWS, |frame| {
+        painter.draw(frame)?;
+        sparks.draw(frame)
+    });
+    assert!(with_sparks != whole);
+    let scene = Scene::new((&painter, &sparks), &camera, S4, &mut []).unwrap();
+    assert!(with_sparks == picture::<NoDepth>(7, |band| scene.draw(band)));
 }
 
 /// Two cameras on two parts of the display, in bands.

@@ -206,11 +206,13 @@ impl<'a> Tween<'a> {
     #[inline(always)]
     pub(super) fn position_from(&self, from: [i16; 3], index: usize) -> [i16; 3] {
         let to = self.to.positions.get(index).unwrap_or(from);
-        core::array::from_fn(|axis| {
-            let (from, to) = (i32::from(from[axis]), i32::from(to[axis]));
+        let blend = |from: i16, to: i16| {
+            let (from, to) = (i32::from(from), i32::from(to));
             // The product is at most 65,535 * 2^15, and half a unit more is still below 2^31.
             (from + (((to - from) * self.factor + (ONE >> 1)) >> 15)) as i16
-        })
+        };
+        // codegen: not by `from_fn`, whose index is checked where the loop stays one.
+        [blend(from[0], to[0]), blend(from[1], to[1]), blend(from[2], to[2])]
     }
 
     /// The normal of a vertex that is `from` in the first shape.

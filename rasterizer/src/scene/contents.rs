@@ -3,21 +3,21 @@
 use core::{fmt, slice};
 
 use super::{
-    DrawnInto, Mode, Object, Objects, OnDemand, Order, Painter, ProjectError, Projected, RowRange,
-    Vertices, error,
+    DrawnInto, Mode, Object, Objects, OnDemand, Order, Painter, ParticleOrder, ProjectError,
+    Projected, RowRange, SeenParticles, Vertices, error,
 };
 use crate::{
     attribute::DepthFormat,
     camera::Camera,
-    geometry::Projection,
+    geometry::{AsParticle, Projection},
     numbers::Subpixel,
     output::{Blending, Target},
-    shade::{OnScreen, Shader},
+    shade::{OnScreen, Shader, Sprite},
 };
 
 /// What a [`Scene`](super::Scene) holds: an [`Object`]; several of one kind, by [`each`]; an
-/// `Option` of something that may be absent; a reference to a [`Projected`] object or to a
-/// [`Painter`]; a tuple of one to eight of all these.
+/// `Option` of something that may be absent; a reference to a [`Projected`] object, to a
+/// [`Painter`] or to [`SeenParticles`]; a tuple of one to eight of all these.
 pub trait Contents<P: Projection, S: Subpixel, D: DepthFormat>: private::Find<P, S, D> {}
 
 /// [`Contents`] that can be drawn into a target: of its colour and depth, blended in ways that its
@@ -291,6 +291,37 @@ impl<P: Projection, S: Subpixel, T: Target, O: DrawnInto<T>> private::Draw<P, S,
         target: &mut T,
     ) -> Result<(), T::Error> {
         Painter::draw(self, target)
+    }
+}
+
+impl<P, S, D, I, K, B, O> private::Find<P, S, D> for &SeenParticles<'_, '_, I, K, B, O>
+where
+    P: Projection,
+    S: Subpixel,
+    D: DepthFormat,
+{
+    fn find(&self, _: &mut RowsFound<'_, P>) -> Result<(), ProjectError> {
+        Ok(())
+    }
+}
+
+impl<P, S, T, I, K, B, O> private::Draw<P, S, T> for &SeenParticles<'_, '_, I, K, B, O>
+where
+    P: Projection,
+    S: Subpixel,
+    I: AsParticle,
+    K: Sprite<I::Color>,
+    O: ParticleOrder,
+    T: Target<Color = I::Color>,
+    B: Blending<T>,
+{
+    fn draw<const N: usize>(
+        &self,
+        _: &Camera<P>,
+        _: &mut slice::Iter<'_, RowRange>,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
+        SeenParticles::draw(self, target)
     }
 }
 

@@ -335,9 +335,11 @@ where
     ) -> Vec<ClipVertex<CoordinateOf<V, Sh>, Sh::Varyings>, MAX_CORNERS> {
         let triangle = self.tables().triangles.get(index).unwrap_or_default();
         let mut kept = Vec::new();
-        let triangle = array::from_fn(|corner| {
-            let (position, vertex) = self.corner(triangle[corner]);
-            (position, vertex.at(corner))
+        let mut corner = 0..;
+        // codegen: not by `from_fn`, whose index is checked where the loop stays one.
+        let triangle = triangle.map(|index| {
+            let (position, vertex) = self.corner(index);
+            (position, vertex.at(corner.next().unwrap_or_default()))
         });
         self.mode.clipping().cut(&triangle, &mut kept);
         kept
