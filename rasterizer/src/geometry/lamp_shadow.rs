@@ -48,8 +48,8 @@ use crate::{
 /// plane, a vertex is within 2<sup>-15</sup> x (s + 1) units of where the light puts it, with s
 /// half the shadow's longer side, and 2<sup>-28</sup> k of its distance from the origin, with k the
 /// factor by which the lamp enlarges it; then it is placed on the screen as exactly as others. A
-/// lamp just above the object makes these large. A long shadow that comes within some near distances
-/// of the camera may be refused with S8, which promises a sixteenth of the error of S4.
+/// lamp just above the object makes these large. A long shadow that comes within some near
+/// distances of the camera may be refused with S8, which promises a sixteenth of the error of S4.
 #[derive(Clone, Copy, Debug)]
 pub struct LampShadow<'a> {
     mesh: Mesh<'a>,
