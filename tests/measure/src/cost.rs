@@ -49,7 +49,8 @@ pub(crate) fn line<K: DeserializeOwned>(line: &str) -> Result<Line<K>> {
     let parsed: Line<K> = serde_json::from_str(line)
         .with_context(|| format!("the firmware has printed `{line}` instead of figures"))?;
     let cost = &parsed.cost;
-    let is_drawn = cost.frames > 0 && cost.triangles_drawn > 0;
+    // Whole programs count no triangles; triangles on a scaling curve may miss every pixel centre.
+    let is_drawn = cost.frames > 0 && (cost.pixels_drawn > 0 || cost.triangles_drawn > 0);
     ensure!(is_drawn, "the firmware has drawn nothing: {cost:?}");
     Ok(parsed)
 }
@@ -103,6 +104,24 @@ pub(crate) mod tests {
         assert_eq!(cost.mean(stages.draw.instructions), 38);
     }
 
+    /// The line with zeros for these counts.
+    fn undrawn(line: &str, counts: &[&str]) -> String {
+        let mut line: Value = serde_json::from_str(line).unwrap();
+        for &name in counts {
+            line[name] = 0.into();
+        }
+        line.to_string()
+    }
+
+    #[test]
+    fn a_program_may_count_pixels_or_triangles_alone() {
+        for counted in ["pixels_drawn", "triangles_drawn"] {
+            let mut output = output(json!({}), 1, 1, 1);
+            output.lines[1] = undrawn(&output.lines[1], &[counted]);
+            assert_eq!(lines::<Value>(&output).unwrap().len(), 1);
+        }
+    }
+
     #[test]
     fn lines_without_figures_or_counts_are_faults() {
         let fault = |change: fn(&mut Output)| {
@@ -112,10 +131,14 @@ pub(crate) mod tests {
         };
         let panicked = fault(|output| output.lines[1] = "panicked at src".into());
         assert!(panicked.contains("`panicked at src`"));
-        let empty = fault(|output| {
+        let no_frames = fault(|output| {
             output.lines[1] = output.lines[1].replace(r#""frames":8"#, r#""frames":0"#);
         });
-        assert!(empty.contains("drawn nothing"));
+        assert!(no_frames.contains("drawn nothing"));
+        let empty_frames = fault(|output| {
+            output.lines[1] = undrawn(&output.lines[1], &["pixels_drawn", "triangles_drawn"]);
+        });
+        assert!(empty_frames.contains("drawn nothing"));
         assert!(fault(|output| output.reports[0] = Stages::default()).contains("seen nothing"));
         assert!(fault(|output| output.reports.clear()).contains("1 lines for 0 reports"));
         assert!(fault(|output| output.lines.truncate(1)).contains("0 lines for 1 reports"));

@@ -132,9 +132,9 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// Instructions for each of the things drawn.
-    fn share(&self, drawn: u64) -> f64 {
-        self.instructions.frame as f64 / drawn.max(1) as f64
+    /// Instructions for each of the things drawn, if they are counted.
+    fn share(&self, drawn: u64) -> Option<f64> {
+        (drawn > 0).then(|| self.instructions.frame as f64 / drawn as f64)
     }
 }
 
@@ -204,8 +204,13 @@ pixels, with all that is sent, the mean of 24 frames. *sent* is drawn in bands a
             ("mode", |row| row.scene.key.mode.clone()),
             ("frame", |row| count(row.instructions.frame)),
             ("cycles", |row| optional(row.cycles)),
-            ("/ pixel", |row| format!("{:.1}", row.share(row.scene.pixels_drawn))),
-            ("/ triangle", |row| count(row.share(row.scene.triangles_drawn).round() as u64)),
+            ("/ pixel", |row| {
+                let share = row.share(row.scene.pixels_drawn);
+                share.map_or_else(String::new, |share| format!("{share:.1}"))
+            }),
+            ("/ triangle", |row| {
+                optional(row.share(row.scene.triangles_drawn).map(|share| share.round() as u64))
+            }),
             ("clear", |row| count(row.instructions.clear)),
             ("vertices", |row| count(row.instructions.vertices)),
             ("set-up", |row| optional(row.instructions.set_up)),
