@@ -7,7 +7,7 @@ use rasterizer::{
     numbers::{Matrix, Rotation, Scale, Subpixel, Vec3},
 };
 
-use crate::{Scene, ends::Stage};
+use crate::{Scene, ends::Stage, vector::Vector};
 
 /// In sub-pixels.
 const TOLERANCE: f64 = 0.5 + 0.125;
@@ -49,8 +49,6 @@ impl Lens {
         }
     }
 }
-
-type Vector = [f64; 3];
 
 /// The coordinates of a vector.
 #[must_use]

@@ -10,6 +10,7 @@ mod random;
 mod recorder;
 mod scene;
 mod surface;
+pub mod vector;
 
 pub use counter::Counter;
 pub use picture::Picture;

@@ -27,26 +27,10 @@ use rasterizer::{
 use rasterizer_tests::{
     Random,
     exact::{numbers, quantum, rotated},
+    vector::{Vector, angle, dot, unit},
 };
 
 const SCREEN: Rectangle = Rectangle::new(Point::zero(), Size::new(96, 80));
-
-type V = [f64; 3];
-
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn unit(v: V) -> V {
-    let length = dot(v, v).sqrt();
-    v.map(|c| c / length)
-}
-
-/// The sine of the angle between two unit vectors, which is the angle if that is small.
-fn angle(a: V, b: V) -> f64 {
-    let cross = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    dot(cross, cross).sqrt().atan2(dot(a, b))
-}
 
 /// The interpolated normal of a pixel in place of a colour.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +68,7 @@ impl Shader for PixelNormals {
     }
 }
 
-fn quantised(normal: V) -> [i8; 3] {
+fn quantised(normal: Vector) -> [i8; 3] {
     normal.map(|c| (c * 127.0).round() as i8)
 }
 
@@ -97,7 +81,7 @@ fn normals_of_pixels_are_within_half_a_degree() {
     let (mut judged, mut worst) = (0, 0.0);
     for round in 0..3_000 {
         let mut real = |reach: f64| (random.bits() >> 11) as f64 / 2f64.powi(52) * reach - reach;
-        let around: V = unit([(); 3].map(|()| real(1.0)));
+        let around: Vector = unit([(); 3].map(|()| real(1.0)));
         // Less than 120 degrees apart, the more so the later.
         let spread = f64::from(round % 10) / 10.0 * 0.95;
         let normals = [(); 3].map(|()| {
@@ -144,7 +128,7 @@ fn normals_of_pixels_are_within_half_a_degree() {
                 assert_eq!(*seen, nothing);
                 continue;
             };
-            let exact: V = fragment.color;
+            let exact: Vector = fragment.color;
             if dot(exact, exact).sqrt() < longest / 2.0 {
                 continue;
             }
@@ -227,17 +211,17 @@ impl Body {
 /// Varyings of [`Phong`] with or without positions.
 trait Corner {
     /// The normal and the position of 14 bits.
-    fn parts(&self) -> [V; 2];
+    fn parts(&self) -> [Vector; 2];
 }
 
 impl Corner for [i16; 3] {
-    fn parts(&self) -> [V; 2] {
+    fn parts(&self) -> [Vector; 2] {
         [self.map(f64::from), [0.0; 3]]
     }
 }
 
 impl Corner for [i16; 6] {
-    fn parts(&self) -> [V; 2] {
+    fn parts(&self) -> [Vector; 2] {
         let [x, y, z, u, v, w] = self.map(f64::from);
         [[x, y, z], [u, v, w]]
     }
@@ -264,9 +248,9 @@ where
         rasterizer::attribute::Varyings<OnScreen = <PhongCorrection as Correction>::OnScreen<K>>,
 {
     let mesh = body.mesh();
-    let turned = |v: V| rotated(&pose.rotation, v);
+    let turned = |v: Vector| rotated(&pose.rotation, v);
     let scale = quantum(body.scale);
-    let world = |quanta: V| {
+    let world = |quanta: Vector| {
         let offset = numbers(body.offset);
         let model = [0, 1, 2].map(|i| offset[i] + scale * quanta[i]);
         let turned = turned(model.map(|c| c * pose.scale.to_num::<f64>()));
@@ -379,8 +363,8 @@ fn colours_of_pixels_are_those_of_the_definition() {
                 [0, 1, 2].map(|i| dot(rows[i], offset) + at[i])
             };
             let size = radius * scale.to_num::<f64>();
-            let vector = |v: V| Vec3::from_bits(v.map(|c| (c * 65_536.0) as i32));
-            let beside = |to: V, radii: f64| {
+            let vector = |v: Vector| Vec3::from_bits(v.map(|c| (c * 65_536.0) as i32));
+            let beside = |to: Vector, radii: f64| {
                 vector([0, 1, 2].map(|i| middle[i] + unit(to)[i] * radii * size))
             };
             let lens = Perspective::new(

@@ -18,28 +18,8 @@ use rasterizer_tests::{
     ends::{self, Stage},
     exact::{Lens, changed, judge_placed, numbers, rotated},
     pixel_camera, places,
+    vector::{Vector, cross, dot, minus, unit},
 };
-
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i])
-}
-
-fn unit(v: Vector) -> Vector {
-    v.map(|c| c / dot(v, v).sqrt())
-}
 
 fn entries(matrix: &Matrix) -> [Vector; 3] {
     matrix.rows().map(|row| row.map(Scalar::to_num))

@@ -12,16 +12,11 @@ use rasterizer::{
 use rasterizer_tests::{
     Random, Surface, area,
     exact::{Lens, numbers, rotated},
+    vector::{Vector, dot},
 };
-
-type Vector = [f64; 3];
 
 const NEAR: Distance = Distance::lit("0.5");
 const FAR: Distance = Distance::lit("500");
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
 
 fn place(random: &mut Random, reach: i32) -> Vec3 {
     Vec3::from_bits([(); 3].map(|()| random.within(-reach << 16, reach << 16)))

@@ -19,9 +19,8 @@ use rasterizer_tests::{
     Surface,
     bands::{BACKGROUND, DISPLAY, Depth, ROWS, Screen, picture},
     exact::{numbers, quantum, rotated},
+    vector::{Vector, cross, dot, minus},
 };
-
-type Vector = [f64; 3];
 
 /// What a view shows: an object that casts its shadow in the light from `toward`.
 struct View {
@@ -89,29 +88,21 @@ impl View {
         let ray = [(x - middle[0]) / FOCAL, (middle[1] - y) / FOCAL, -1.0];
         let direction = rotated(&self.rotation(), ray);
         let (eye, normal) = (numbers(self.eye), numbers(FLOOR.normal));
-        let height = product(normal, eye) + FLOOR.offset.to_num::<f64>();
-        let way = -height / product(normal, direction);
+        let height = dot(normal, eye) + FLOOR.offset.to_num::<f64>();
+        let way = -height / dot(normal, direction);
         // Along the view axis.
         (way > NEAR).then(|| [0, 1, 2].map(|i| eye[i] + way * direction[i]))
     }
 }
 
-fn product(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
 /// Whether a ray meets a triangle (Moeller and Trumbore 1997).
 fn meets(origin: Vector, direction: Vector, [a, b, c]: [Vector; 3]) -> bool {
-    let minus = |a: Vector, b: Vector| [0, 1, 2].map(|i| a[i] - b[i]);
-    let across = |a: Vector, b: Vector| {
-        [0, 1, 2].map(|i| a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3])
-    };
     let (ab, ac, ao) = (minus(b, a), minus(c, a), minus(origin, a));
-    let p = across(direction, ac);
-    let determinant = product(ab, p);
-    let q = across(ao, ab);
-    let (u, v) = (product(ao, p) / determinant, product(direction, q) / determinant);
-    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && product(ac, q) / determinant > 0.0
+    let p = cross(direction, ac);
+    let determinant = dot(ab, p);
+    let q = cross(ao, ab);
+    let (u, v) = (dot(ao, p) / determinant, dot(direction, q) / determinant);
+    u >= 0.0 && v >= 0.0 && u + v <= 1.0 && dot(ac, q) / determinant > 0.0
 }
 
 /// The mesh's triangles in the world.

@@ -8,7 +8,7 @@ use rasterizer::{
     numbers::Scalar,
 };
 
-type Vector = [f64; 3];
+use rasterizer_tests::vector::{Vector, cross, dot, minus, unit};
 
 /// The tables of a shape of any counts.
 struct Shape<'a> {
@@ -82,22 +82,6 @@ impl Shape<'_> {
     fn position(&self, vertex: u16) -> Vector {
         self.positions[usize::from(vertex)].map(|c| f64::from(c) / 16_384.0)
     }
-}
-
-fn minus(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| a[i] - b[i])
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(v: Vector) -> Vector {
-    v.map(|c| c / dot(v, v).sqrt())
 }
 
 /// Each edge, by the positions of its ends, is a side of two triangles, in both directions.

@@ -31,26 +31,11 @@ use rasterizer_tests::{
     ends::{self, Stage},
     exact::{Lens, judge_placed},
     places,
+    vector::{Vector, angle, cross, dot, minus, unit},
 };
 
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    (0..3).map(|i| a[i] * b[i]).sum()
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(v: Vector) -> Vector {
-    v.map(|c| c / dot(v, v).sqrt())
-}
-
-/// The angle in degrees. By its tangent, which is exact for small ones.
 fn degrees(a: Vector, b: Vector) -> f64 {
-    let across = cross(a, b);
-    dot(across, across).sqrt().atan2(dot(a, b)).to_degrees()
+    angle(a, b).to_degrees()
 }
 
 fn part(progress: Progress) -> f64 {
@@ -175,7 +160,6 @@ impl Shape {
             normals.map(|(n, p)| normal(twist(n.map(f64::from), p[1].into()))).collect();
         let face_normals = BALL.triangles.iter().map(|corners| {
             let [a, b, c] = corners.map(|corner| positions[usize::from(corner)].map(f64::from));
-            let minus = |a: Vector, b: Vector| [0, 1, 2].map(|i| a[i] - b[i]);
             let across = cross(minus(b, a), minus(c, a));
             if dot(across, across) == 0.0 { [0, 127, 0] } else { normal(across) }
         });

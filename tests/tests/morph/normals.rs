@@ -13,11 +13,14 @@ use rasterizer::{
     scene::Object,
     shade::{Flat, Gouraud, Phong, Shader},
 };
-use rasterizer_tests::Random;
+use rasterizer_tests::{
+    Random,
+    vector::{dot, unit},
+};
 
 use super::{
-    DISPLAY, LIGHT, PIXELS, Shape, TRIANGLES, VERTICES, any_progress, camera, degrees, dot, lerp,
-    normal, part, unit,
+    DISPLAY, LIGHT, PIXELS, Shape, TRIANGLES, VERTICES, any_progress, camera, degrees, lerp,
+    normal, part,
 };
 
 /// The level of light on a triangle, by the definition: the direction of the blend of both normals,
