@@ -3,8 +3,8 @@
 use core::{fmt, slice};
 
 use super::{
-    DrawnInto, Mode, Object, Objects, OnDemand, Order, Painter, ParticleOrder, ProjectError,
-    Projected, RowRange, SeenParticles, Vertices, error,
+    DrawnInto, Mode, Object, OnDemand, Order, Painter, ParticleOrder, ProjectError, Projected,
+    RowRange, SeenParticles, Vertices, error,
 };
 use crate::{
     attribute::DepthFormat,
@@ -52,6 +52,14 @@ pub(super) mod private {
             rows: &mut slice::Iter<'_, RowRange>,
             target: &mut T,
         ) -> Result<(), T::Error>;
+    }
+
+    /// What has been projected.
+    pub trait Ready {}
+
+    /// The same, if a target can have it.
+    pub trait DrawReady<T: Target>: Ready {
+        fn draw_ready(&self, target: &mut T) -> Result<(), T::Error>;
     }
 }
 
@@ -238,90 +246,60 @@ where
     }
 }
 
-impl<P, S, D, V, Q, Sh, M, O> private::Find<P, S, D> for &Projected<'_, V, Q, Sh, M, O>
-where
-    P: Projection,
-    S: Subpixel,
-    D: DepthFormat,
-    Q: Projection,
-    Sh: Shader,
-{
+/// What has been projected before the scene is made. It is drawn into every target.
+impl<P: Projection, S: Subpixel, D: DepthFormat, R: private::Ready> private::Find<P, S, D> for &R {
     fn find(&self, _: &mut RowsFound<'_, P>) -> Result<(), ProjectError> {
         Ok(())
     }
 }
 
-impl<P, S, T, V, Q, Sh, M, O> private::Draw<P, S, T> for &Projected<'_, V, Q, Sh, M, O>
+impl<P: Projection, S: Subpixel, T: Target, R: private::DrawReady<T>> private::Draw<P, S, T>
+    for &R
+{
+    fn draw<const N: usize>(
+        &self,
+        _: &Camera<P>,
+        _: &mut slice::Iter<'_, RowRange>,
+        target: &mut T,
+    ) -> Result<(), T::Error> {
+        (*self).draw_ready(target)
+    }
+}
+
+impl<V, P: Projection, Sh: Shader, M, O> private::Ready for Projected<'_, V, P, Sh, M, O> {}
+impl<O> private::Ready for Painter<'_, O> {}
+impl<I, K, B, O> private::Ready for SeenParticles<'_, '_, I, K, B, O> {}
+
+impl<T, V, P, Sh, M, O> private::DrawReady<T> for Projected<'_, V, P, Sh, M, O>
 where
-    P: Projection,
-    S: Subpixel,
-    V: Vertices<OnScreen<Sh>>,
-    Q: Projection,
-    Sh: Shader,
-    M: Mode,
-    O: Order,
     T: Target<Color = Sh::Color, Depth = V::Depth>,
-    M::Blending: Blending<T>,
-{
-    fn draw<const N: usize>(
-        &self,
-        _: &Camera<P>,
-        _: &mut slice::Iter<'_, RowRange>,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        Projected::draw(self, target)
-    }
-}
-
-impl<P: Projection, S: Subpixel, D: DepthFormat, O: Objects> private::Find<P, S, D>
-    for &Painter<'_, O>
-{
-    fn find(&self, _: &mut RowsFound<'_, P>) -> Result<(), ProjectError> {
-        Ok(())
-    }
-}
-
-impl<P: Projection, S: Subpixel, T: Target, O: DrawnInto<T>> private::Draw<P, S, T>
-    for &Painter<'_, O>
-{
-    fn draw<const N: usize>(
-        &self,
-        _: &Camera<P>,
-        _: &mut slice::Iter<'_, RowRange>,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        Painter::draw(self, target)
-    }
-}
-
-impl<P, S, D, I, K, B, O> private::Find<P, S, D> for &SeenParticles<'_, '_, I, K, B, O>
-where
+    V: Vertices<OnScreen<Sh>>,
     P: Projection,
-    S: Subpixel,
-    D: DepthFormat,
+    Sh: Shader,
+    M: Mode<Blending: Blending<T>>,
+    O: Order,
 {
-    fn find(&self, _: &mut RowsFound<'_, P>) -> Result<(), ProjectError> {
-        Ok(())
+    fn draw_ready(&self, target: &mut T) -> Result<(), T::Error> {
+        self.draw(target)
     }
 }
 
-impl<P, S, T, I, K, B, O> private::Draw<P, S, T> for &SeenParticles<'_, '_, I, K, B, O>
+impl<T: Target, O: DrawnInto<T>> private::DrawReady<T> for Painter<'_, O> {
+    fn draw_ready(&self, target: &mut T) -> Result<(), T::Error> {
+        self.draw(target)
+    }
+}
+
+impl<T, I, K, B, O> private::DrawReady<T> for SeenParticles<'_, '_, I, K, B, O>
 where
-    P: Projection,
-    S: Subpixel,
+    T: Target<Color = I::Color>,
     I: AsParticle,
     K: Sprite<I::Color>,
-    O: ParticleOrder,
-    T: Target<Color = I::Color>,
     B: Blending<T>,
+    O: ParticleOrder,
 {
-    fn draw<const N: usize>(
-        &self,
-        _: &Camera<P>,
-        _: &mut slice::Iter<'_, RowRange>,
-        target: &mut T,
-    ) -> Result<(), T::Error> {
-        SeenParticles::draw(self, target)
+    fn draw_ready(&self, target: &mut T) -> Result<(), T::Error> {
+        self.draw(target)
     }
 }
 
