@@ -257,4 +257,16 @@ pub(crate) struct Changes<'a> {
 impl Changes<'_> {
     /// None.
     pub(crate) const NONE: Self = Self { tween: None, shaping: None };
+
+    /// Where the matrix puts a position.
+    #[inline(always)]
+    pub(super) fn position(&self, position: [i16; 3]) -> [i16; 3] {
+        self.shaping.map_or(position, |shaping| shaping.position(position))
+    }
+
+    /// What the matrix makes of a normal.
+    #[inline(always)]
+    pub(super) fn normal(&self, normal: [i8; 3]) -> [i8; 3] {
+        self.shaping.map_or(normal, |shaping| shaping.normal(normal))
+    }
 }

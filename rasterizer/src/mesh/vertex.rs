@@ -86,21 +86,15 @@ impl<'a> MeshVertex<'a> {
     #[inline(always)]
     #[must_use]
     pub fn position(&self) -> [i16; 3] {
-        let position = self.table_position();
-        match self.changes.shaping {
-            Some(shaping) => shaping.position(position),
-            None => position,
-        }
+        self.changes.position(self.table_position())
     }
 
     /// Its position in the table, or between those of two shapes.
     #[inline(always)]
     pub(crate) fn table_position(&self) -> [i16; 3] {
         let position = self.tables.positions.get(self.index).unwrap_or_default();
-        match self.changes.tween {
-            Some(tween) => tween.position_from(position, self.index),
-            None => position,
-        }
+        let tween = self.changes.tween;
+        tween.map_or(position, |tween| tween.position_from(position, self.index))
     }
 
     /// Its normal in object space, 127 standing for 1; zero if the mesh has none.
@@ -108,14 +102,9 @@ impl<'a> MeshVertex<'a> {
     #[must_use]
     pub fn normal(&self) -> [i8; 3] {
         let normal = self.tables.vertex_normals.get(self.index).unwrap_or_default();
-        let normal = match self.changes.tween {
-            Some(tween) => tween.vertex_normal(normal, self.index),
-            None => normal,
-        };
-        match self.changes.shaping {
-            Some(shaping) => shaping.normal(normal),
-            None => normal,
-        }
+        let tween = self.changes.tween;
+        let blended = tween.map_or(normal, |tween| tween.vertex_normal(normal, self.index));
+        self.changes.normal(blended)
     }
 
     /// Its texture coordinates u and v with 24 bits behind the binary point, 1 being the texture's
@@ -185,10 +174,7 @@ impl<'a> MeshFace<'a> {
             ((sum * 21_845 + (1 << 15)) >> 16) as i16
         };
         let center = [third([ax, bx, cx]), third([ay, by, cy]), third([az, bz, cz])];
-        match self.changes.shaping {
-            Some(shaping) => shaping.position(center),
-            None => center,
-        }
+        self.changes.position(center)
     }
 
     /// Its normal in object space, 127 standing for 1; zero if the mesh has none.
@@ -196,13 +182,8 @@ impl<'a> MeshFace<'a> {
     #[must_use]
     pub fn normal(&self) -> [i8; 3] {
         let normal = self.tables.face_normals.get(self.index).unwrap_or_default();
-        let normal = match self.changes.tween {
-            Some(tween) => tween.face_normal(normal, self.index),
-            None => normal,
-        };
-        match self.changes.shaping {
-            Some(shaping) => shaping.normal(normal),
-            None => normal,
-        }
+        let tween = self.changes.tween;
+        let blended = tween.map_or(normal, |tween| tween.face_normal(normal, self.index));
+        self.changes.normal(blended)
     }
 }
