@@ -29,6 +29,7 @@ use rasterizer::{
 
 use super::{
     alphas::{AlphaBound, AlphaError, Factors},
+    display::rgb888,
     fixed::{ShownColor, TexelAlphas},
     view::View,
 };
@@ -206,11 +207,10 @@ impl Layers {
 
     /// The colours of the same layers over a picture, row by row.
     pub(super) fn over(&self, under: &[[u8; 3]]) -> Vec<[u8; 3]> {
-        let color = |[red, green, blue]: [u8; 3]| Rgb888::new(red, green, blue);
         let blended = |(layers, &stored): (&Vec<Option<Layer>>, &[u8; 3])| {
-            let last = layers.iter().flatten().fold(color(stored), |stored, layer| {
+            let last = layers.iter().flatten().fold(rgb888(stored), |stored, layer| {
                 // Both are whole numbers of their units.
-                let new = color(layer.color.map(|channel| channel as u8));
+                let new = rgb888(layer.color.map(|channel| channel as u8));
                 put(self.blend, stored, (new, alpha(layer.alpha)))
             });
             [last.r(), last.g(), last.b()]

@@ -124,7 +124,7 @@ impl Display {
     pub fn shown(self, size: [u32; 2], pixels: &[[u8; 3]]) -> Vec<[u8; 3]> {
         let [width, height] = size;
         let area = Rectangle::new(Point::zero(), Size::new(width, height));
-        let pixels: Vec<_> = pixels.iter().map(|&[r, g, b]| Rgb888::new(r, g, b)).collect();
+        let pixels: Vec<_> = pixels.iter().copied().map(rgb888).collect();
         match self.colors {
             Colors::Binary => self.packed::<BinaryColor>(area, pixels),
             Colors::Gray2 => self.packed::<Gray2>(area, pixels),
@@ -314,4 +314,9 @@ fn gray_of(definition: &reference::Display, color: [f64; 3]) -> [f64; 3] {
         Steps::Gray(_) => [reference::luma(color).round(); 3],
         Steps::Rgb(_) => color,
     }
+}
+
+/// A colour of the core.
+pub(super) const fn rgb888([red, green, blue]: [u8; 3]) -> Rgb888 {
+    Rgb888::new(red, green, blue)
 }

@@ -13,7 +13,7 @@ use rasterizer::{
     shade::{self, AtPixels, AtVertices, Density, FogMode, SeenFog},
 };
 
-use super::places::FaceColors;
+use super::{display::rgb888, places::FaceColors};
 use crate::reference::{self, Picture, ScreenTriangle, ScreenVertex, draw_screen, fogged};
 
 /// Where fog is computed.
@@ -78,8 +78,7 @@ impl Fog {
     }
 
     pub(super) const fn core_color(&self) -> Rgb888 {
-        let [red, green, blue] = self.color;
-        Rgb888::new(red, green, blue)
+        rgb888(self.color)
     }
 
     fn reference_color(&self) -> [f64; 3] {

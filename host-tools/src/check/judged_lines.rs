@@ -119,12 +119,11 @@ pub(super) struct Owners {
 impl Owners {
     /// None, of a view that is drawn in a precision.
     pub(super) fn new<S: Subpixel>(view: &View, options: LineOptions) -> Self {
-        let pixels = view.size.iter().map(|&side| side as usize).product();
         Self {
             size: view.size.map(i64::from),
             subpixel_bits: S::BITS,
             options,
-            pixels: vec![Vec::new(); pixels],
+            pixels: vec![Vec::new(); view.pixel_count()],
             lines: 0,
             points: 0,
         }

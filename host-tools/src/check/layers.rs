@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
+use embedded_graphics_core::geometry::Point;
 use rasterizer::{
     attribute::NoDepth,
     camera::Camera,
@@ -15,6 +15,7 @@ use rasterizer::{
 use super::{
     alphas::Fading,
     blending::{self, Layers, Recorder},
+    display::rgb888,
     drawing::Drawing,
     fixed::ShownColor,
     object::screen_triangles,
@@ -60,9 +61,8 @@ impl<Sh: Shader<Color: ShownColor>> Drawing for Blended<'_, Sh> {
         let size = view.size.map(|side| side as usize).into();
         let alphas = draw_screen(&triangles, size, |sample: Sample<1>| Some(sample.varyings[0]));
         let projected = projected.back_to_front(&mut order)?;
-        let [red, green, blue] = view.background;
-        let pixels = view.size.iter().map(|&side| side as usize).product();
-        let mut colors = vec![Sh::Color::from(Rgb888::new(red, green, blue)); pixels];
+        let background = Sh::Color::from(rgb888(view.background));
+        let mut colors = vec![background; view.pixel_count()];
         let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
         let colors = colors.into_iter().map(Into::into);
         let order = projected.order().triangles();

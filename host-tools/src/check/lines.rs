@@ -18,6 +18,7 @@ use rasterizer::{
 
 use super::{
     Blending, FixedPicture, LineOutcome, Pixel,
+    display::rgb888,
     drawing::{self, Drawing},
     judged_lines::{Canvas, Owners},
     shading,
@@ -134,8 +135,8 @@ pub(super) fn draw_over(
     let surfaces = if options.edges.has_surfaces() && model.report.triangles > 0 {
         super::surfaces(model, view, under)?
     } else {
-        let pixels = view.size.iter().map(|&side| side as usize).product();
-        FixedPicture { size: view.size, pixels: vec![Pixel { color: [0; 3], depth: 0 }; pixels] }
+        let black = Pixel { color: [0; 3], depth: 0 };
+        FixedPicture { size: view.size, pixels: vec![black; view.pixel_count()] }
     };
     if !options.has_lines(model) {
         return Ok(surfaces);
@@ -145,6 +146,16 @@ pub(super) fn draw_over(
     } else {
         drawing::draw(view, Over { model, view, options, under, surfaces, shader: Colored::new() })
     }
+}
+
+/// The model in a view, with its surfaces behind its lines.
+fn behind_lines<'a, Sh: Shader>(
+    mesh: &'a Mesh<'a>,
+    shader: Sh,
+    view: &View,
+) -> Result<Object<'a, Sh, impl Mode<Blending = Replace> + use<Sh>>, ViewError> {
+    let object = Object::new(mesh, shader).posed(view.pose()?);
+    Ok(object.clipped(view.planes.core()?).biased(BEHIND))
 }
 
 /// Lines and points over a picture.
@@ -167,10 +178,7 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
     ) -> Result<FixedPicture, ViewError> {
         let Self { model, view, options, under, surfaces, shader } = self;
         let mesh = model.mesh();
-        let object = Object::new(&mesh, shader)
-            .posed(view.pose()?)
-            .clipped(view.planes.core()?)
-            .biased(BEHIND);
+        let object = behind_lines(&mesh, shader, view)?;
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
         let seen = object.project(camera, &mut storage)?;
 
@@ -178,9 +186,8 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
             let behind = || under.map_or(view.background, |under| under[place]);
             if pixel.depth == 0 { behind() } else { pixel.color }
         };
-        let mut colors: Vec<Rgb888> = (surfaces.pixels.iter().enumerate().map(shown))
-            .map(|[red, green, blue]| Rgb888::new(red, green, blue))
-            .collect();
+        let mut colors: Vec<Rgb888> =
+            (surfaces.pixels.iter().enumerate().map(shown)).map(rgb888).collect();
         let mut depth = vec![0u32; colors.len()];
         if options.hides(view) {
             let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
@@ -249,7 +256,7 @@ impl Element<'_> {
         Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
         M: Mode<Blending = Replace>,
     {
-        let LineOptions { edge_color: [red, green, blue], line_width, point_size, .. } = options;
+        let LineOptions { edge_color, line_width, point_size, .. } = options;
         match self {
             Self::Points(material, points) => {
                 seen.points(points).sized(point_size).of_material(*material).draw(frame)
@@ -258,7 +265,7 @@ impl Element<'_> {
                 seen.lines(lines).wide(line_width).of_material(*material).draw(frame)
             }
             Self::Edges(lines) => {
-                seen.lines(lines).wide(line_width).fill(Rgb888::new(red, green, blue), frame)
+                seen.lines(lines).wide(line_width).fill(rgb888(edge_color), frame)
             }
         }
     }
@@ -347,16 +354,12 @@ where
     ) -> Result<LineOutcome, ViewError> {
         let Self { model, view, options, shader, color } = self;
         let mesh = model.mesh();
-        let object = Object::new(&mesh, shader)
-            .posed(view.pose()?)
-            .clipped(view.planes.core()?)
-            .biased(BEHIND);
+        let object = behind_lines(&mesh, shader, view)?;
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
         let seen = object.project(camera, &mut storage)?;
-        let pixels = view.size.iter().map(|&side| side as usize).product();
-        let [red, green, blue] = view.background;
+        let pixels = view.pixel_count();
         let mut canvas =
-            Canvas { colors: vec![Rgb888::new(red, green, blue); pixels], depth: vec![0; pixels] };
+            Canvas { colors: vec![rgb888(view.background); pixels], depth: vec![0; pixels] };
         if options.hides(view) {
             canvas.draw(view, |frame| seen.draw_depth(frame))?;
         }

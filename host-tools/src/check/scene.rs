@@ -51,8 +51,7 @@ pub fn render_scene(
     options: LineOptions,
     under: &[[u8; 3]],
 ) -> Result<ScenePicture, (usize, ViewError)> {
-    let [width, height] = view.size.map(|side| side as usize);
-    assert_eq!(under.len(), width * height, "what lies under a picture has its size");
+    assert_eq!(under.len(), view.pixel_count(), "what lies under a picture has its size");
     let has_lines = models.iter().any(|scene| options.has_lines(scene.model));
     let depth = if has_lines && models.len() > 1 { DepthFormat::U32 } else { view.depth };
     let mut pixels: Vec<Pixel> = under.iter().map(|&color| Pixel { color, depth: 0 }).collect();

@@ -211,6 +211,12 @@ impl View {
         }
     }
 
+    /// How many pixels the picture has.
+    pub(super) const fn pixel_count(&self) -> usize {
+        let [width, height] = self.size;
+        width as usize * height as usize
+    }
+
     /// The rectangle of the display that the picture fills.
     pub(super) const fn area(&self) -> Rectangle {
         let [width, height] = self.size;

@@ -31,20 +31,16 @@ fn cut_models_pass_from_all_sides_and_nearly_all_pixels_are_judged() {
     for name in ["gear.obj", "rocket.obj", "torus_knot.obj"] {
         let model = shipped(name);
         let checker = Checker::new(&model);
-        let (mut judged, mut pixels, mut drawn) = (0, 0, 0);
+        let mut totals = Totals::default();
         for (view, planes) in views().zip(cuts(&mut random)) {
             let whole = View { planes, ..view };
             let near = View { distance: 1.5, near: 1.2, far: 1.9, ..whole };
             for view in [whole, near] {
-                let outcome = checker.check(&view).unwrap().outcome;
-                assert!(outcome.is_within(&Bounds::ARITHMETIC), "{name} {view:?} {outcome:#?}");
-                judged += outcome.places.judged;
-                pixels += 320 * 240;
-                drawn += outcome.arithmetic.deviation.pixels;
+                totals.add(name, &checker, &view);
             }
         }
-        assert!(drawn > 100_000, "{name}: {drawn}");
-        assert!(judged * 100 > pixels * 97, "{name}: {judged} of {pixels}");
+        assert!(totals.drawn > 100_000, "{name}: {}", totals.drawn);
+        assert!(totals.are_judged(97), "{name}: {} of {}", totals.judged, totals.pixels);
     }
 }
 
