@@ -3,7 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use anyhow::{Result, anyhow};
+use embedded_graphics_core::{
+    Drawable as _,
+    geometry::{Point, Size},
+    pixelcolor::{Rgb888, RgbColor as _},
+    primitives::Rectangle,
+};
 use host_tools::model::Picture;
+use rasterizer::output::{Frame, VerticalGradient};
 
 /// A colour in steps of 8 bits.
 pub(super) type Rgb = [u8; 3];
@@ -54,18 +61,15 @@ impl Background {
         }
     }
 
-    /// The colours of a picture of this size, row by row.
+    /// The colours of a picture of this size, row by row: gradients as the core draws them.
     pub(super) fn drawn(&self, [width, height]: [u32; 2]) -> Result<Vec<Rgb>> {
         match self {
             &Self::Colors([top, bottom]) => {
-                let row = |y: u32| {
-                    let part = f64::from(y) / f64::from(height.max(2) - 1);
-                    let between = |a: u8, b: u8| {
-                        (f64::from(a) + part * (f64::from(b) - f64::from(a))).round() as u8
-                    };
-                    [0, 1, 2].map(|i| between(top[i], bottom[i]))
-                };
-                Ok((0..height).flat_map(|y| std::iter::repeat_n(row(y), width as usize)).collect())
+                let area = Rectangle::new(Point::zero(), Size::new(width, height));
+                let mut colors = vec![Rgb888::BLACK; width as usize * height as usize];
+                let mut frame = Frame::without_depth(&mut colors, area)?;
+                let Ok(()) = VerticalGradient::new(area, top, bottom).draw(&mut frame);
+                Ok(colors.into_iter().map(|color| [color.r(), color.g(), color.b()]).collect())
             }
             Self::Picture(path) => {
                 let picture = Picture::load(path).map_err(|error| anyhow!("{error}"))?;
