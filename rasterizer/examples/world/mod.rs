@@ -43,15 +43,11 @@ const HAZE: [u8; 3] = [206, 214, 204];
 const HAZE_COLOR: Rgb565 = Rgb565::new(25, 53, 25);
 const SKY: VerticalGradient<Rgb565> =
     VerticalGradient::new(Rectangle::new(Point::zero(), Size::new(240, 100)), [92, 148, 208], HAZE);
-/// Within a texel.
-const TEXEL: Adaptive<16> = Adaptive;
-const SHADOW: Rgb888 = Rgb888::new(52, 76, 38);
-const DARK_GREEN: Rgb888 = Rgb888::new(48, 106, 60);
-const RED: Rgb888 = Rgb888::new(200, 60, 50);
 const MAP_COLOR: Rgb565 = Rgb565::new(17, 44, 13);
-const TRUNK_SIZE: Distance = Distance::lit("0.16");
-const TRUNK_HEIGHT: Scalar = Scalar::lit("0.16");
-const CROWN_BASE: Scalar = Scalar::lit("0.25");
+const MAP_TREE: Rgb888 = Rgb888::new(48, 106, 60);
+const MAP_ROCKET: Rgb888 = Rgb888::new(200, 60, 50);
+
+const SHADOW: Rgb888 = Rgb888::new(52, 76, 38);
 /// Shadows lie in the ground.
 const NEARER: Bias = Bias { slope: I8F8::lit("1"), constant: I0F32::from_bits(3 << 16) };
 const SUNWARD: Vec3 = Vec3::lit("-3", "5", "2");
@@ -73,6 +69,8 @@ static GROUND: Mesh<'static> = Mesh::new_const(Tables {
 });
 const FLOOR: Plane = Plane::new(Vec3::Y, Scalar::ZERO);
 
+/// The grass is stepped between divisions within a texel.
+const TEXEL: Adaptive<16> = Adaptive;
 /// 32 x 32 texels of four greens, in 256 bytes.
 type Grass = Texture<Indexed<'static, Rgb565, 2, 256, 4>, 32, 32>;
 static GRASS: [Grass; 1] = {
@@ -112,10 +110,15 @@ static BARE_TRUNK: Mesh<'static> =
     TRUNK_TABLES.mesh(&[Material::new([112, 84, 60], TRUNK.triangles() as u32)]);
 const CROWN: Levels<'static, 2> =
     Levels::new([(Distance::lit("9"), &FINE_CROWN), (Distance::lit("24"), &COARSE_CROWN)]);
-/// A trunk is not seen from farther away.
+/// A cylinder of radius 1 and height 2 in this scale, with its middle this high.
+const TRUNK_SIZE: Distance = Distance::lit("0.16");
+const TRUNK_HEIGHT: Scalar = Scalar::lit("0.16");
+/// Where a crown begins.
+const CROWN_BASE: Scalar = Scalar::lit("0.25");
+/// A trunk is left out from six units on.
 const TRUNK_LEVELS: Levels<'static, 1> = Levels::new([(Distance::lit("36"), &BARE_TRUNK)]);
 
-/// Where the trees stand, and the height of their crowns over 2.
+/// Where the trees stand, and half the height of their crowns.
 static TREES: [(Vec3, Distance); 20] = {
     const fn tree(x: &str, z: &str, size: &str) -> (Vec3, Distance) {
         (Vec3::lit(x, "0", z), Distance::lit(size))
@@ -241,8 +244,8 @@ pub(crate) fn draw<D: DrawTarget<Color = Rgb565>>(
         let shader = Recolored::new(Unlit::new(), color);
         Object::new(&COARSE_CROWN, shader).posed(pose).clipped(ClipNone)
     };
-    let trees = each(&TREES, |&(place, size)| spot(DARK_GREEN, place, size));
-    let middle = spot(RED, Vec3::ZERO, Distance::ONE);
+    let trees = each(&TREES, |&(place, size)| spot(MAP_TREE, place, size));
+    let middle = spot(MAP_ROCKET, Vec3::ZERO, Distance::ONE);
     let mut map_rows = [RowRange::EMPTY; TREES.len() + 1];
     let map = Scene::new((trees, middle), &above, S4, &mut map_rows)?;
 
