@@ -122,14 +122,13 @@ pub(crate) const fn sun() -> Light {
 
 /// A camera that looks at the origin, with its focal length in pixels.
 pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
-    view_on(AREA, Distance::lit(focal_length), distance)
+    view_on(AREA, Distance::lit(focal_length), Vec3::lit("0", "0", distance))
 }
 
-/// The same in another viewport.
-pub(crate) fn view_on(viewport: Rectangle, focal_length: Distance, distance: &str) -> Camera {
+/// The same in another viewport and from another place, along the z axis.
+pub(crate) fn view_on(viewport: Rectangle, focal_length: Distance, eye: Vec3) -> Camera {
     let [near, far] = ["0.1", "100"].map(Distance::lit);
     let lens = Perspective::with_focal_length(focal_length, near, far);
-    let eye = Vec3::lit("0", "0", distance);
     Camera::at(eye, Rotation::IDENTITY, lens.unwrap_or_else(fail), viewport).unwrap_or_else(fail)
 }
 

@@ -20,7 +20,7 @@ use rasterizer::{
     color::{Mean, Rgb332},
     geometry::{Pose, ScreenVertex},
     mesh::Mesh,
-    numbers::Subpixel,
+    numbers::{Subpixel, Vec3},
     output::{BandAreas, Frame, Rgb565Be, StoredColor, StoredDepth, Supersampled},
     scene::{Object, bin_words},
     shade::{OnScreen, Shader},
@@ -100,6 +100,9 @@ pub struct Scene<'a> {
     pub focal_length_px: u32,
     /// The camera's distance from the origin, in units of the model.
     pub distance: &'a str,
+    /// How far it moves to the right where the environment asks for the shifted pictures, in
+    /// 65,536ths of a unit of the model.
+    pub shift: i32,
     /// How many of its turns are drawn, an eighth of a turn about y each.
     pub frames: u32,
 }
@@ -108,7 +111,13 @@ impl Scene<'_> {
     /// The camera for a `viewport` of `side` by `side` samples a pixel.
     fn camera(&self, viewport: Rectangle, side: usize) -> Camera {
         let focal_length = Distance::from_num(self.focal_length_px * side as u32);
-        view_on(viewport, focal_length, self.distance)
+        view_on(viewport, focal_length, self.eye())
+    }
+
+    /// Where the camera stands. It moves to the left for a scene that moves to the right.
+    fn eye(&self) -> Vec3 {
+        let shift = if console::is_shifted() { self.shift } else { 0 };
+        Vec3::lit("0", "0", self.distance) - Vec3::from_bits([shift, 0, 0])
     }
 }
 

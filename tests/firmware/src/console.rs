@@ -57,6 +57,18 @@ pub fn picture(name: &str, frame: u32, channels: impl Iterator<Item = u8>) {
 #[cfg(target_os = "none")]
 pub fn picture(_: &str, _: u32, _: impl Iterator<Item = u8>) {}
 
+/// Whether the environment asks for the scene in its shifted place, by `SHIFTED`.
+#[cfg(not(target_os = "none"))]
+pub fn is_shifted() -> bool {
+    std::env::var_os("SHIFTED").is_some()
+}
+
+/// No: a microcontroller has no environment.
+#[cfg(target_os = "none")]
+pub const fn is_shifted() -> bool {
+    false
+}
+
 /// Prints the `opt-level` that this was compiled with.
 pub fn build() {
     line(format_args!("opt-level {}", env!("OPT_LEVEL")));

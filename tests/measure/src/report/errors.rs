@@ -85,6 +85,34 @@ fn add_squares(picture: &[[u8; 3]], truth: &Truth, squares: &mut Mean) {
     }
 }
 
+/// How a scene that moves changes otherwise than it does in exact pictures: the root of the mean
+/// square of the difference of both changes, in steps of 8 bits, over the channels of all pixels
+/// that show the model in any picture. Each frame is its pictures before and after, and the exact
+/// ones.
+///
+/// The exact pictures are to have as many samples a pixel: what these miss of the model changes in
+/// both, and does not count.
+pub(super) fn shimmer<'a>(
+    frames: impl IntoIterator<Item = ([&'a Picture; 2], [&'a Truth; 2])>,
+) -> f64 {
+    let mut all = Mean::default();
+    for (shown, exact) in frames {
+        let [before, after] = shown.map(|picture| picture.as_chunks::<3>().0);
+        for (i, pixel) in before.iter().zip(after).enumerate() {
+            let is_seen = exact.iter().any(|truth| truth.coverage[i] > 0.0);
+            if !is_seen && pixel == (&[0; 3], &[0; 3]) {
+                continue;
+            }
+            for channel in 0..3 {
+                let [from, to] = [pixel.0, pixel.1].map(|color| f64::from(color[channel]));
+                let [exact_from, exact_to] = exact.map(|truth| truth.colors[i][channel]);
+                all.add(((to - from) - (exact_to - exact_from)).powi(2));
+            }
+        }
+    }
+    all.mean().sqrt()
+}
+
 /// The root of the mean square difference of two true pictures where either shows the model.
 pub(super) fn between(a: &Truth, b: &Truth) -> f64 {
     let mut all = Mean::default();
@@ -151,6 +179,26 @@ mod tests {
         let found = Errors::of([(&picture, &truth)]).unwrap();
         assert!((found.rms_squares - 1.0).abs() < 1e-12);
         assert!((found.rms - 10.0f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn shimmer_is_what_changes_otherwise_than_it_should() {
+        let truth = |colors: [f64; 3]| Truth {
+            size: [3, 1],
+            colors: colors.map(|color| [color; 3]).into(),
+            coverage: colors.map(|color| f64::from(color > 0.0)).into(),
+        };
+        let exact = [truth([50.0, 80.0, 0.0]), truth([60.0, 80.0, 0.0])];
+        let of = |colors: [[u8; 3]; 2]| {
+            let shown = colors.map(|colors| colors.map(|color| [color; 3]).concat());
+            shimmer([(shown.each_ref(), exact.each_ref())])
+        };
+        // A constant error does not shimmer; the last pixel shows nothing in any picture.
+        assert!(of([[70, 10, 0], [80, 10, 0]]).abs() < 1e-12);
+        // 10 less than it should, and 4 more.
+        assert!((of([[50, 80, 0], [50, 84, 0]]) - 58.0f64.sqrt()).abs() < 1e-12);
+        // The last pixel is seen before only: three pixels, 0, 0 and 6 off.
+        assert!((of([[50, 80, 6], [60, 80, 0]]) - 12.0f64.sqrt()).abs() < 1e-12);
     }
 
     #[test]

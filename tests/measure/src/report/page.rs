@@ -27,6 +27,10 @@ choices that no other one beats.
   each pixel. *inside* leaves out the pixels of the outline; *8x8* is that of the means of squares
   of pixels, where dithering gains what it loses in each pixel; *99.9 %* and *most* are of a pixel's
   worst channel.
+* **Shimmer** is what changes otherwise than it should while the scene moves by a 64th of a pixel to
+  the right, also in steps of 8 bits: the root of the mean square of the difference between the
+  change of the picture and that of an exact one, drawn in f64 with as many samples a pixel. What a
+  pixel's samples miss flickers in both, and does not count; what is rounded does.
 * **Run time** is that of a frame, in cycles by the core's [timing table][cycles]; bars show the
   range where the table has one. It counts clearing depth, vertices, triangles and pixels, and with
   several samples their means.
@@ -48,8 +52,6 @@ const OMISSIONS: &str = "\
 * Sending pixels. With several samples the means are handed to a display one by one, as drivers
   take them, which is part of their run time.
 * A rasterizer in floating point, for comparison.
-* How a picture changes while its model moves by a part of a pixel (shimmer). S4 places vertices
-  within 1/32 of a pixel, S8 within 1/512.
 * The Cortex-M7 has no timing table; RISC-V and the Cortex-M33 have one: name them with `--core`.
 ";
 
@@ -89,7 +91,7 @@ pub(super) fn page(report: &Report, advice: &str, picture: impl Fn(&str) -> Stri
 
 /// All points of a scene, the cheapest first.
 fn table(measured: &Measured, cores: &[Core]) -> Table {
-    let mut headings = vec!["choice", "RMS", "inside", "8x8", "99.9 %", "most", "PSNR"];
+    let mut headings = vec!["choice", "RMS", "inside", "8x8", "99.9 %", "most", "PSNR", "shimmer"];
     headings.extend(cores.iter().map(|core| core.title()));
     if cores.is_empty() {
         headings.extend(["here, \u{b5}s", "least", "most"]);
@@ -108,6 +110,7 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
         );
         cells.extend([errors.p999, errors.max].map(|error| format!("{error:.0}")));
         cells.push(format!("{:.1} dB", errors.psnr_db()));
+        cells.push(shimmer(point, 2));
         for &core in cores {
             cells.push(point.cost(core).map_or_else(String::new, |cost| count(cost.figure())));
         }
@@ -118,6 +121,11 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
         table.row(cells);
     }
     table
+}
+
+/// The shimmer of a point with some decimals, if it is known.
+fn shimmer(point: &Point, decimals: usize) -> String {
+    point.shimmer.map_or_else(String::new, |shimmer| format!("{shimmer:.decimals$}"))
 }
 
 /// The cheapest choice for each bound of the error, by halves.
@@ -172,7 +180,7 @@ fn causes(measured: &Measured) -> String {
 
 /// All points as rows of CSV: scene, choice, errors, and for each core instructions and cycles.
 pub(super) fn csv(report: &Report) -> String {
-    let mut text = String::from("scene,choice,rms,rms_inside,rms_squares,p999,max,host_ns");
+    let mut text = String::from("scene,choice,rms,rms_inside,rms_squares,p999,max,shimmer,host_ns");
     for core in &report.cores {
         let name = core.facts().name;
         let _ = write!(text, ",{name}_instructions,{name}_cycles");
@@ -183,7 +191,7 @@ pub(super) fn csv(report: &Report) -> String {
             let errors = point.errors;
             let _ = write!(
                 text,
-                "{},{},{:.4},{:.4},{:.4},{:.2},{:.2},{}",
+                "{},{},{:.4},{:.4},{:.4},{:.2},{:.2},{},{}",
                 measured.scene.name,
                 point.choice.name(),
                 errors.rms,
@@ -191,6 +199,7 @@ pub(super) fn csv(report: &Report) -> String {
                 errors.rms_squares,
                 errors.p999,
                 errors.max,
+                shimmer(point, 4),
                 point.nanoseconds[1]
             );
             for &core in &report.cores {

@@ -39,6 +39,9 @@ impl Cost {
 pub(super) struct Point {
     pub(super) choice: Choice,
     pub(super) errors: Errors,
+    /// How it changes otherwise than exact pictures of as many samples a pixel while the scene
+    /// moves by a 64th of a pixel, by [`errors::shimmer`]. `None` in figures without it.
+    pub(super) shimmer: Option<f64>,
     /// Nanoseconds of a frame on the host: the least, the median and the most of several runs.
     pub(super) nanoseconds: [u64; 3],
     pub(super) costs: Vec<Cost>,
@@ -113,14 +116,25 @@ impl Measured {
         let exact = TrueModel::new(&model);
         let truth = |frame, side| exact.picture(&scene.view(frame), side);
         let truths: Vec<Truth> = (0..scene.frames).map(|i| truth(i, TRUE_SAMPLES)).collect();
+        let moved = |side: u32| -> Vec<[Truth; 2]> {
+            let views = (0..scene.frames).map(|i| [scene.view(i), scene.shifted_view(i)]);
+            views.map(|views| views.map(|view| exact.picture(&view, side as usize))).collect()
+        };
+        let mut by_samples: HashMap<u32, Vec<[Truth; 2]>> = HashMap::new();
+        for choice in &choices {
+            by_samples.entry(choice.samples).or_insert_with(|| moved(choice.samples));
+        }
         let reference_rms = errors::between(&truth(0, 2 * TRUE_SAMPLES), &truths[0]);
         let points = choices.into_iter().map(|choice| {
             let drawn = drawn.get(&choice.name()).context("a choice is not drawn")?;
             let errors = Errors::of(drawn.frames.iter().zip(&truths));
+            let pictures = drawn.frames.iter().zip(&drawn.shifted).map(|(a, b)| [a, b]);
+            let exact = by_samples[&choice.samples].iter().map(|[a, b]| [a, b]);
             let times = &drawn.nanoseconds;
             Ok(Point {
                 choice,
                 errors: errors.with_context(|| format!("{} shows nothing", scene.name))?,
+                shimmer: Some(errors::shimmer(pictures.zip(exact))),
                 nanoseconds: [times[0], times[times.len() / 2], times[times.len() - 1]],
                 costs: Vec::new(),
             })

@@ -49,6 +49,7 @@ fn call(scene: &Scene, choice: &Choice) -> String {
     let (name, memory, [_, black]) = (choice.name(), memory(choice.color), rust(choice.color));
     let tables = Tables::module_of(choice);
     let Scene { focal_length_px, distance, frames, .. } = scene;
+    let shift = scene.shift_steps();
     let subpixel = format!("S{}", choice.subpixel);
     let depth = match choice.visibility {
         Visibility::U16 => "u16",
@@ -73,6 +74,7 @@ fn call(scene: &Scene, choice: &Choice) -> String {
             mesh: &{tables}::MODEL,
             focal_length_px: {focal_length_px},
             distance: \"{distance}\",
+            shift: {shift},
             frames: {frames},
         }};
         Choice {{ name: \"{name}\", scene }}.{method}({}, {black}, &{memory})

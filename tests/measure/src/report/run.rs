@@ -31,12 +31,14 @@ struct Line {
 }
 
 /// A choice on the host.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Drawn {
     /// The hash of its pictures.
     pub(super) hash: String,
     /// Its pictures.
     pub(super) frames: Vec<Picture>,
+    /// Those of the shifted scene.
+    pub(super) shifted: Vec<Picture>,
     /// Nanoseconds of a frame in each run, in increasing order.
     pub(super) nanoseconds: Vec<u64>,
 }
@@ -71,21 +73,25 @@ impl<'a> Programs<'a> {
     /// Returns an error if the program cannot be built or run.
     pub(super) fn on_host(&self, choices: &[Choice]) -> Result<HashMap<String, Drawn>> {
         let program = self.build(None, choices, "choices")?;
-        let mut drawn: HashMap<String, Drawn> = HashMap::new();
-        for run in 0..RUNS {
+        let run = |variables: &[&str]| {
             let mut command = Command::new(&program);
-            if run == 0 {
-                command.env("PICTURES", &self.folder);
-            }
-            let output = firmware::output_of(&mut command)?;
-            for line in lines(output.lines())? {
-                let frames = if run == 0 { pictures(&self.folder, &line)? } else { Vec::new() };
-                let found = drawn.entry(line.choice).or_insert_with(|| Drawn {
-                    hash: line.hash,
-                    frames,
-                    nanoseconds: Vec::new(),
-                });
-                found.nanoseconds.push(line.ticks / line.frames.max(1));
+            command.envs(variables.iter().map(|variable| (variable, &self.folder)));
+            lines(firmware::output_of(&mut command)?.lines())
+        };
+        let mut drawn: HashMap<String, Drawn> = HashMap::new();
+        for line in run(&["PICTURES"])? {
+            let frames = pictures(&self.folder, &line)?;
+            let found = Drawn { hash: line.hash, frames, ..Drawn::default() };
+            drawn.insert(line.choice, found);
+        }
+        for line in run(&["PICTURES", "SHIFTED"])? {
+            let shifted = pictures(&self.folder, &line)?;
+            drawn.entry(line.choice).and_modify(|found| found.shifted = shifted);
+        }
+        for _ in 0..RUNS {
+            for line in run(&[])? {
+                let time = line.ticks / line.frames.max(1);
+                drawn.entry(line.choice).and_modify(|found| found.nanoseconds.push(time));
             }
         }
         drawn.values_mut().for_each(|drawn| drawn.nanoseconds.sort_unstable());

@@ -7,7 +7,7 @@ use std::{
 
 use anyhow::{Context as _, Result, ensure};
 use host_tools::{
-    check::{Projection, View},
+    check::{Look, Projection, View},
     model::{ColorFormat, Model, Options, TexelFormat, TextureOptions, emit, write_atomically},
 };
 use serde::{Deserialize, Serialize};
@@ -36,6 +36,9 @@ pub(super) struct Scene {
 
 /// The size of the display in pixels.
 pub(super) const SIZE: [u32; 2] = [320, 240];
+
+/// Steps of the core's coordinates in a unit of the model.
+const STEPS: f64 = 65_536.0;
 
 /// A microcontroller in QEMU has 4 MB: 1.9 MB for pictures, and on the stack up to 48 bytes for a
 /// vertex and 4 for a triangle.
@@ -111,6 +114,20 @@ impl Scene {
             background: [0; 3],
             ..View::default()
         }
+    }
+
+    /// How far the scene moves for its shifted pictures: a 64th of a pixel where the middle of the
+    /// model is, to the nearest step of the core's numbers, in these steps.
+    pub(super) fn shift_steps(&self) -> i32 {
+        let pixel = self.distance / f64::from(self.focal_length_px);
+        (pixel / 64.0 * STEPS).round() as i32
+    }
+
+    /// The view of a frame in which the scene has moved so.
+    pub(super) fn shifted_view(&self, frame: u32) -> View {
+        let (x, z) = (-f64::from(self.shift_steps()) / STEPS, self.distance);
+        let look = Look { eye: [x, 0.0, z], target: [x, 0.0, z - 1.0], up: [0.0, 1.0, 0.0] };
+        View { look: Some(look), ..self.view(frame) }
     }
 
     /// Where what is made of it lies: it can be removed at any time.
@@ -223,4 +240,20 @@ impl Tables {
 
 const fn name(has_mip_levels: bool) -> &'static str {
     if has_mip_levels { "tables_with_mip_levels" } else { "tables" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_shift_is_a_64th_of_a_pixel_to_the_nearest_step() {
+        let file = firmware::root().join("host-tools/models/torus_knot.obj");
+        let scene = Scene::of(&file, 1).unwrap();
+        // 2.4 / 400 of a unit are a pixel, 393.2 steps.
+        assert_eq!(scene.shift_steps(), 6);
+        let Look { eye, target, .. } = scene.shifted_view(0).look.unwrap();
+        assert_eq!(eye, [-6.0 / STEPS, 0.0, 2.4]);
+        assert_eq!([eye[0], eye[1]], [target[0], target[1]]);
+    }
 }

@@ -7,6 +7,7 @@ use embedded_graphics_core::{
 };
 use rasterizer::{
     camera::{Camera, Distance},
+    numbers::Vec3,
     output::{Bands, Rgb565Be, Supersampled},
     scene::Object,
     shade::Gouraud,
@@ -24,7 +25,8 @@ const ROWS: u32 = 8;
 
 /// A camera that sees the same as the others on a display of another size.
 fn camera(viewport: Rectangle) -> Camera {
-    view_on(viewport, Distance::from_num(400 * viewport.size.width / SIZE.width), "2.4")
+    let focal_length = Distance::from_num(400 * viewport.size.width / SIZE.width);
+    view_on(viewport, focal_length, Vec3::lit("0", "0", "2.4"))
 }
 
 /// A display that counts the pixels that are no background.
