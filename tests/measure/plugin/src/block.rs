@@ -3,7 +3,7 @@
 use crate::{
     cache::Cache,
     counts::Counts,
-    instruction::{Instruction, Kind},
+    instruction::{Float, Instruction, Kind},
 };
 
 /// A block, decoded.
@@ -124,6 +124,10 @@ fn counts(now: &Instruction, before: Option<&Instruction>) -> Counts {
     let is_arithmetic = |before: &Instruction| {
         matches!(before.kind, Kind::Plain | Kind::Multiply | Kind::LongMultiply)
     };
+    let is_float_arithmetic = |before: &Instruction| {
+        use Float::{Arithmetic, Divide, MultiplyAdd};
+        matches!(before.kind, Kind::Float(Arithmetic | MultiplyAdd | Divide))
+    };
     // The load before is still busy while this one begins.
     let is_pipelined = before.is_some_and(is_load) && !needs(now.address, is_load);
     let mut counts = Counts {
@@ -131,6 +135,7 @@ fn counts(now: &Instruction, before: Option<&Instruction>) -> Counts {
         load_uses: needs(now.reads, is_load).into(),
         address_stalls: needs(now.address, is_arithmetic).into(),
         late_uses: needs(now.reads, |before| before.is_late).into(),
+        float_late_uses: needs(now.reads, is_float_arithmetic).into(),
         ..Counts::default()
     };
     match now.kind {
@@ -160,6 +165,16 @@ fn counts(now: &Instruction, before: Option<&Instruction>) -> Counts {
         Kind::It => {
             counts.its = 1;
             counts.its_folded = before.is_some_and(|before| before.size == 2).into();
+        }
+        Kind::Float(float) => {
+            counts.floats = 1;
+            match float {
+                Float::Move | Float::Arithmetic => {}
+                Float::MultiplyAdd => counts.float_multiply_adds = 1,
+                Float::Divide => counts.float_divides = 1,
+                Float::Load => counts.float_loads = 1,
+                Float::Store => counts.float_stores = 1,
+            }
         }
         Kind::System => counts.systems = 1,
     }
@@ -208,6 +223,20 @@ mod tests {
         let user = Instruction::new(Kind::Plain, 4).reading(0b1_0000);
         assert_eq!(second(ADD.late(true), user).late_uses, 1);
         assert_eq!(second(ADD, user).late_uses, 0);
+    }
+
+    #[test]
+    fn a_result_of_the_fpu_is_used_too_early() {
+        let float = |float| Instruction::new(Kind::Float(float), 4);
+        let sum = float(Float::Arithmetic).reading(1 << 33).writing(1 << 34);
+        let store = float(Float::Store).at(0b1).reading(1 << 34);
+        let found = second(sum, store);
+        assert_eq!((found.floats, found.float_stores, found.float_late_uses), (1, 1, 1));
+        assert_eq!(second(sum, sum).float_late_uses, 0);
+        assert_eq!(second(float(Float::Move).writing(1 << 34), store).float_late_uses, 0);
+        let divide = float(Float::Divide).reading(1 << 34);
+        assert_eq!(second(sum, divide).float_divides, 1);
+        assert_eq!(second(sum, Instruction { kind: Kind::Plain, ..ADD }).floats, 0);
     }
 
     #[test]

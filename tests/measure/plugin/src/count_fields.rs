@@ -59,6 +59,18 @@ macro_rules! count_fields {
             its,
             /// Of these, the ones right behind a 16-bit instruction.
             its_folded,
+            /// Instructions of the FPU, but those that load or store several registers.
+            floats,
+            /// Of these, the ones that load one register.
+            float_loads,
+            /// Of these, the ones that store one register.
+            float_stores,
+            /// Products that are added to or subtracted from a register of the FPU.
+            float_multiply_adds,
+            /// Quotients and square roots of the FPU.
+            float_divides,
+            /// Instructions that need the result of the FPU's arithmetic right before them.
+            float_late_uses,
             /// Barriers, special registers, BKPT; CSR.
             systems,
             /// Lines of code that are not in the cache.

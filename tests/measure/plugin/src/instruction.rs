@@ -1,7 +1,7 @@
 //! What timing needs to know of an instruction: the same for Thumb and RISC-V.
 
-/// A set of registers, one bit each.
-pub type Registers = u32;
+/// A set of registers, one bit each: those of the core, and from bit 32 on S0 to S31 of the FPU.
+pub type Registers = u64;
 
 /// What an instruction is, for its timing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,8 +46,27 @@ pub enum Kind {
     Table,
     /// IT.
     It,
+    /// An instruction of the FPU, but those that load or store several registers.
+    Float(Float),
     /// Barriers, special registers, BKPT; CSR.
     System,
+}
+
+/// What an instruction of the FPU is, for its timing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Float {
+    /// Moves, the sign, comparisons, the status register.
+    Move,
+    /// Sums, products and conversions.
+    Arithmetic,
+    /// A product that is added to or subtracted from a register.
+    MultiplyAdd,
+    /// Quotients and square roots.
+    Divide,
+    /// Loads one register.
+    Load,
+    /// Stores one register.
+    Store,
 }
 
 /// A decoded instruction.

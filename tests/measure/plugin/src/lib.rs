@@ -20,5 +20,6 @@ pub mod predictor;
 mod qemu;
 pub mod riscv;
 pub mod thumb;
+mod thumb_float;
 mod thumb_wide;
 pub mod windows;

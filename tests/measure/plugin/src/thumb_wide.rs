@@ -3,6 +3,7 @@
 use crate::{
     instruction::{Instruction, Kind, Registers},
     thumb::bit,
+    thumb_float,
 };
 
 const PROGRAM_COUNTER: u16 = 15;
@@ -18,6 +19,9 @@ const fn unless_pc(register: u16) -> Registers {
 
 /// Decodes the instruction of two halfwords.
 pub(crate) const fn decode(a: u16, b: u16) -> Instruction {
+    if let Some(float) = thumb_float::decode(a, b) {
+        return float;
+    }
     match a >> 9 {
         0b1110100 => multiple(a, b),
         0b1110101 => shifted_register(a, b),
@@ -25,7 +29,7 @@ pub(crate) const fn decode(a: u16, b: u16) -> Instruction {
         0b1111000..=0b1111011 => branch(a, b),
         0b1111100 => single(a, b),
         0b1111101 => registers(a, b),
-        // Coprocessors.
+        // Other coprocessors.
         _ => of(Kind::System),
     }
 }
@@ -110,6 +114,7 @@ const fn registers(a: u16, b: u16) -> Instruction {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::instruction::Float;
 
     #[test]
     fn wide_instructions_are_decoded() {
@@ -186,7 +191,7 @@ mod tests {
             // uxtb.w r8, r2
             (0xfa5f, 0xf882, plain.reading(0b100).writing(0x100)),
             // vmov s0, r1
-            (0xee00, 0x1a10, of(Kind::System)),
+            (0xee00, 0x1a10, of(Kind::Float(Float::Move)).reading(0b10).writing(1 << 32)),
         ];
         for (a, b, expected) in cases {
             assert_eq!(decode(a, b), expected, "{a:#06x} {b:#06x}");

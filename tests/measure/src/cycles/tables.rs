@@ -73,6 +73,10 @@ pub(super) const M0PLUS: Timing = Timing {
 const M4_TABLE: &str = "ARM DDI0439D, table 3-1";
 const M4_PAIRS: &str = "ARM DDI0439D, 3.3.2; jnk0le measures the same on an STM32F407";
 
+const M4_FPU: &str = "ARM DDI0439D, table 7-1, recalled";
+const M4_FPU_QUOTED: &str =
+    "ARM DDI0439D, table 7-1, as quoted at electronics.stackexchange 544886";
+
 pub(super) const M4: Timing = Timing {
     models: &[model("cycles"), model("least"), model("most")],
     rows: &[
@@ -123,6 +127,30 @@ pub(super) const M4: Timing = Timing {
             count: |counts| counts.its_folded,
             more: &[0, -1, 0],
             source: M4_TABLE,
+        },
+        Row {
+            what: "VLDR, VSTR: 2, or 1 as LDR and STR between others",
+            count: |counts| counts.float_loads + counts.float_stores,
+            more: &[1, 0, 1],
+            source: M4_FPU,
+        },
+        Row {
+            what: "VMLA, VFMA: 3",
+            count: |counts| counts.float_multiply_adds,
+            more: &[2, 2, 2],
+            source: M4_FPU_QUOTED,
+        },
+        Row {
+            what: "VDIV, VSQRT: 14, or 1 if no other instruction of the FPU follows",
+            count: |counts| counts.float_divides,
+            more: &[13, 0, 13],
+            source: M4_FPU,
+        },
+        Row {
+            what: "a sum, product or conversion of the FPU that the next one needs: 1 more",
+            count: |counts| counts.float_late_uses,
+            more: &[1, 1, 1],
+            source: M4_FPU_QUOTED,
         },
     ],
 };

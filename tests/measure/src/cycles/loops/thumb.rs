@@ -316,4 +316,34 @@ pub(super) const LOOPS: &[Loop] = &[
             (M33, &[1 + 30 * 3 + 29 * 2; 3]),
         ],
     },
+    Loop {
+        name: "FPU",
+        code: &[
+            0xf64e, 0x5088, //   movw r0, #0xed88
+            0xf2ce, 0x0000, //   movt r0, #0xe000
+            0x6803, //   ldr r3, [r0]
+            0xf443, 0x0370, //   orr r3, r3, #0xf00000
+            0x6003, //   str r3, [r0]
+            0xf3bf, 0x8f4f, //   dsb sy
+            0xf3bf, 0x8f6f, //   isb sy
+            0x2014, //   movs r0, #20
+            0xed94, 0x0a00, // l: vldr s0, [r4]
+            0xee70, 0x0a00, //   vadd.f32 s1, s0, s0
+            0xee20, 0x1aa0, //   vmul.f32 s2, s1, s1
+            0xee40, 0x1a80, //   vmla.f32 s3, s1, s0
+            0xee81, 0x2a00, //   vdiv.f32 s4, s2, s0
+            0xed85, 0x2a00, //   vstr s4, [r5]
+            0x3801, //   subs r0, #1
+            0xd1f1, //   bne l
+        ],
+        instructions: 8 + 20 * 8,
+        cycles: &[(
+            M4,
+            &[
+                10 + 20 * (2 + 1 + 2 + 3 + 14 + 3 + 1) + 19 * 3 + 1,
+                10 + 20 * (1 + 1 + 2 + 3 + 1 + 2 + 1) + 19 * 2 + 1,
+                10 + 20 * (2 + 1 + 2 + 3 + 14 + 3 + 1) + 19 * 4 + 1,
+            ],
+        )],
+    },
 ];
