@@ -4,6 +4,8 @@
 //! host the same program writes its pictures, for their errors; on a core the plugin counts, and
 //! the hashes tell that the pictures are the same.
 
+mod float;
+
 use core::{cell::RefCell, convert::Infallible};
 
 use critical_section::Mutex;

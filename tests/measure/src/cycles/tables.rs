@@ -13,6 +13,7 @@ const M0PLUS_PROGRAMS: &str =
     "rp2040js 1.4.1 and the executor symex, which both follow ARM DDI0484C, table 3.1";
 
 pub(super) const M0PLUS: Timing = Timing {
+    has_fpu: false,
     models: &[
         model("cycles"),
         model("multiply in 32"),
@@ -78,6 +79,7 @@ const M4_FPU_QUOTED: &str =
     "ARM DDI0439D, table 7-1, as quoted at electronics.stackexchange 544886";
 
 pub(super) const M4: Timing = Timing {
+    has_fpu: true,
     models: &[model("cycles"), model("least"), model("most")],
     rows: &[
         Row {
@@ -158,6 +160,7 @@ pub(super) const M4: Timing = Timing {
 const M33_MEASURED: &str = "jnk0le, pipeline cycle test, measured on an RP2350";
 
 pub(super) const M33: Timing = Timing {
+    has_fpu: false,
     models: &[model("cycles"), model("least"), model("most")],
     rows: &[
         Row {
@@ -240,6 +243,7 @@ pub(super) const M33: Timing = Timing {
 const HAZARD3_TABLE: &str = "Hazard3, \"Instruction Cycle Counts\" of its documentation";
 
 pub(super) const HAZARD3: Timing = Timing {
+    has_fpu: false,
     models: &[model("cycles")],
     rows: &[
         Row {

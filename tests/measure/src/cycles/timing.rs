@@ -5,6 +5,8 @@ use crate::{cores::Core, counts::Counts, cycles::tables};
 /// The timing of a core.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Timing {
+    /// Whether it has the instructions of an FPU.
+    pub(crate) has_fpu: bool,
     /// What it depends on: the first model is the one that figures are compared by.
     pub(crate) models: &'static [Model],
     pub(crate) rows: &'static [Row],
@@ -52,6 +54,11 @@ impl Timing {
         let cycles = counts.instructions as i64 + more.sum::<i64>();
         let misses = counts.fetch_misses + counts.data_misses;
         cycles.max(0) as u64 + if self.models[model].is_in_flash { miss * misses } else { 0 }
+    }
+
+    /// Whether it has all that was counted.
+    pub(crate) const fn covers(&self, counts: &Counts) -> bool {
+        self.has_fpu || counts.floats == 0
     }
 
     /// The cycles in memory without waiting: the least, the figure that is compared, and the most.
@@ -121,6 +128,14 @@ mod tests {
         assert_eq!(cycles(Core::M4, &counts), [16, 14, 18]);
         // 1 + 1 + 1 + 2 + 2 + (2 + 1 to 3) + 2.
         assert_eq!(cycles(Core::M33, &counts), [12, 12, 14]);
+    }
+
+    #[test]
+    fn only_the_m4_has_a_table_of_its_fpu() {
+        let counts = Counts { instructions: 9, floats: 1, ..Counts::default() };
+        let of = |core, counts| Timing::of(core).unwrap().covers(counts);
+        assert!(of(Core::M4, &counts) && !of(Core::M33, &counts));
+        assert!(of(Core::M33, &Counts { floats: 0, ..counts }));
     }
 
     #[test]

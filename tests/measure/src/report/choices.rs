@@ -50,9 +50,25 @@ pub(super) enum Color {
     Rgb332,
 }
 
+/// The numbers that a picture is computed in.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) enum Arithmetic {
+    /// Those of the library.
+    #[default]
+    Fixed,
+    /// `f32`, by a rasterizer for comparison: Gouraud shading with depth, also in `f32`, and with
+    /// colours computed for each pixel.
+    Float,
+    /// The same with colours of 64 levels, as the library has them.
+    FloatLevels,
+}
+
 /// One way to draw a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Choice {
+    /// With floating-point numbers, the parts below are those of the default.
+    #[serde(default)]
+    pub(super) arithmetic: Arithmetic,
     /// Bits of a pixel behind the point: 4 or 8.
     pub(super) subpixel: u32,
     pub(super) visibility: Visibility,
@@ -67,6 +83,7 @@ pub(super) struct Choice {
 
 /// What the library and the tools take unless told otherwise.
 const DEFAULT: Choice = Choice {
+    arithmetic: Arithmetic::Fixed,
     subpixel: 8,
     visibility: Visibility::U16,
     shading: Shading::Gouraud,
@@ -123,6 +140,12 @@ pub(super) fn of_colors() -> Vec<Method> {
             .map(colored)
             .into(),
         },
+        Method {
+            name: "f32, for comparison",
+            choices: [Arithmetic::FloatLevels, Arithmetic::Float]
+                .map(|arithmetic| Choice { arithmetic, ..DEFAULT })
+                .into(),
+        },
     ]
 }
 
@@ -178,6 +201,11 @@ impl Correction {
 impl Choice {
     /// Its name, of the parts by which choices differ.
     pub(super) fn name(&self) -> String {
+        match self.arithmetic {
+            Arithmetic::Float => return "f32".into(),
+            Arithmetic::FloatLevels => return "f32-levels".into(),
+            Arithmetic::Fixed => {}
+        }
         let mut parts = vec![format!("{:?}", self.shading).to_lowercase()];
         if let Some((correction, filter)) = self.texture {
             parts.push(correction.name());

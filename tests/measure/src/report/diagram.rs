@@ -41,9 +41,14 @@ pub(super) fn diagram(measured: &Measured, core: Option<Core>) -> Chart {
                 ..Place::default()
             })
         });
+        let points: Vec<_> = points.collect();
+        // On this core its run time may not be known.
+        if points.is_empty() {
+            continue;
+        }
         curves.push(Curve {
             label: method.name.to_owned(),
-            points: points.collect(),
+            points,
             shape: Shape::Line,
             marker: Some(MARKERS[number % MARKERS.len()]),
             color: number % 5,

@@ -197,6 +197,8 @@ mod tests {
         assert!(of([[70, 10, 0], [80, 10, 0]]).abs() < 1e-12);
         // 10 less than it should, and 4 more.
         assert!((of([[50, 80, 0], [50, 84, 0]]) - 58.0f64.sqrt()).abs() < 1e-12);
+        // The first pixel is not drawn, and the exact one changes by 10: two pixels.
+        assert!((of([[0, 80, 0], [0, 80, 0]]) - 50.0f64.sqrt()).abs() < 1e-12);
         // The last pixel is seen before only: three pixels, 0, 0 and 6 off.
         assert!((of([[50, 80, 6], [60, 80, 0]]) - 12.0f64.sqrt()).abs() < 1e-12);
     }

@@ -34,6 +34,10 @@ choices that no other one beats.
 * **Run time** is that of a frame, in cycles by the core's [timing table][cycles]; bars show the
   range where the table has one. It counts clearing depth, vertices, triangles and pixels, and with
   several samples their means.
+* **f32** is a rasterizer in floating point, for comparison: what one writes for a core that has an
+  FPU. It draws the same tables in the same view by Gouraud shading. *f32* computes a colour for each
+  pixel, *f32-levels* takes one of 64 levels, as the library does. It is no choice of the library,
+  and not among the steps. A Cortex-M0+ has no FPU, and does all of it in software.
 * **What cannot be seen** is shaded: rounding to RGB565 alone has the error of its upper edge. The
   lower line is the error of the true picture itself, against one of four times as many samples.
 * The picture on a core is that of the host, bit by bit: each run compares their hashes.
@@ -51,8 +55,10 @@ const OMISSIONS: &str = "\
 * The painter's algorithm with several samples, and with textures.
 * Sending pixels. With several samples the means are handed to a display one by one, as drivers
   take them, which is part of their run time.
-* A rasterizer in floating point, for comparison.
+* Textures in floating point: the rasterizer for comparison has Gouraud shading alone, and clips
+  nothing.
 * The Cortex-M7 has no timing table; RISC-V and the Cortex-M33 have one: name them with `--core`.
+  That of the Cortex-M33 lacks its FPU, so there the cycles of f32 are not known.
 ";
 
 /// The page, with pictures beside it: `picture` returns the path of a scene's.
@@ -99,7 +105,7 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
     let mut table = Table::new(1, &headings);
     let first = cores.first().copied();
     let mut points: Vec<_> = measured.points.iter().collect();
-    points.sort_by_key(|point| point.figure(first));
+    points.sort_by_key(|point| point.figure(first).unwrap_or(u64::MAX));
     for point in points {
         let Point { choice, errors, nanoseconds, .. } = point;
         let name = choice.name();
@@ -112,7 +118,7 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
         cells.push(format!("{:.1} dB", errors.psnr_db()));
         cells.push(shimmer(point, 2));
         for &core in cores {
-            cells.push(point.cost(core).map_or_else(String::new, |cost| count(cost.figure())));
+            cells.push(point.figure(Some(core)).map_or_else(String::new, count));
         }
         if cores.is_empty() {
             let [least, median, most] = *nanoseconds;

@@ -8,7 +8,7 @@ use indicatif::ProgressBar;
 use serde::{Deserialize, Serialize};
 
 use super::{
-    choices::Choice,
+    choices::{Arithmetic, Choice},
     errors::{self, Errors},
     front::front,
     run::{Drawn, Programs},
@@ -22,15 +22,19 @@ use crate::{conditions::Conditions, cores::Core, cost, cycles::timing::Timing, p
 pub(super) struct Cost {
     pub(super) core: Core,
     pub(super) instructions: u64,
-    /// By the core's timing table, if there is one: the least, the figure that is compared, and the
-    /// most of its models in memory without waiting.
+    /// By the core's timing table, if there is one that has all instructions: the least, the
+    /// figure that is compared, and the most of its models in memory without waiting.
     pub(super) cycles: Option<[u64; 3]>,
 }
 
 impl Cost {
-    /// What is compared: cycles, or instructions where there is no timing table.
-    pub(super) fn figure(&self) -> u64 {
-        self.cycles.map_or(self.instructions, |[_, cycles, _]| cycles)
+    /// What is compared: cycles, or instructions on a core without a timing table. `None` where
+    /// there is one that lacks instructions of the program.
+    pub(super) fn figure(&self) -> Option<u64> {
+        match self.cycles {
+            Some([_, cycles, _]) => Some(cycles),
+            None => Timing::of(self.core).is_none().then_some(self.instructions),
+        }
     }
 }
 
@@ -55,7 +59,7 @@ impl Point {
     /// The cost on a core, or in nanoseconds on the host.
     pub(super) fn figure(&self, core: Option<Core>) -> Option<u64> {
         match core {
-            Some(core) => self.cost(core).map(Cost::figure),
+            Some(core) => self.cost(core)?.figure(),
             None => Some(self.nanoseconds[1]),
         }
     }
@@ -82,15 +86,17 @@ pub(super) fn steps(scene: &Scene, cores: usize) -> usize {
 pub(super) const TRUE_SAMPLES: usize = 8;
 
 impl Measured {
-    /// The points that no other one beats on a core, or on the host: from the cheapest to the most
-    /// exact.
+    /// The choices of the library that no other one beats on a core, or on the host: from the
+    /// cheapest to the most exact.
     pub(super) fn front(&self, core: Option<Core>) -> Vec<&Point> {
         let place = |point: &Point| {
             let figure = point.figure(core).map_or(f64::INFINITY, |figure| figure as f64);
             [figure, point.errors.rms]
         };
-        let places: Vec<_> = self.points.iter().map(place).collect();
-        front(&places).into_iter().map(|place| &self.points[place]).collect()
+        let is_of_library = |point: &&Point| point.choice.arithmetic == Arithmetic::Fixed;
+        let points: Vec<_> = self.points.iter().filter(is_of_library).collect();
+        let places: Vec<_> = points.iter().map(|&point| place(point)).collect();
+        front(&places).into_iter().map(|place| points[place]).collect()
     }
 
     /// Draws a scene by all choices, and counts on the cores.
@@ -168,9 +174,41 @@ fn count(
         progress.set_message(format!("{name} of {} on {}", programs.scene.name, core.title()));
         let counted = programs.on_core(&plugin, core, point.choice, drawn)?;
         let mean = |sum| cost::mean(sum, counted.frames);
-        let cycles = Timing::of(core).map(|timing| timing.range(&counted.counts).map(mean));
+        let timing = Timing::of(core).filter(|timing| timing.covers(&counted.counts));
+        let cycles = timing.map(|timing| timing.range(&counted.counts).map(mean));
         point.costs.push(Cost { core, instructions: mean(counted.counts.instructions), cycles });
         last = Some(counted.conditions);
     }
     last.with_context(|| format!("{} has no choices", programs.scene.name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::scenes;
+
+    #[test]
+    fn instructions_stand_in_for_cycles_only_where_there_is_no_timing_table() {
+        let figure = |core, cycles| Cost { core, instructions: 5, cycles }.figure();
+        assert_eq!(figure(Core::M4, Some([6, 7, 8])), Some(7));
+        assert_eq!(figure(Core::M7, None), Some(5));
+        assert_eq!(figure(Core::M33, None), None);
+    }
+
+    #[test]
+    fn what_is_drawn_for_comparison_is_not_on_the_front() {
+        let scene = Scene::of(&scenes::shipped()[0], 1).unwrap();
+        let point = |choice: Choice| {
+            let rms = if choice.arithmetic == Arithmetic::Fixed { 2.0 } else { 1.0 };
+            let errors = Errors { rms, rms_inside: rms, rms_squares: rms, p999: rms, max: rms };
+            Point { choice, errors, shimmer: None, nanoseconds: [1; 3], costs: Vec::new() }
+        };
+        let points: Vec<_> = scene.choices().into_iter().map(point).collect();
+        assert!(points.iter().any(|point| point.errors.rms < 2.0));
+        let (splits, texels) = (Vec::new(), Vec::new());
+        let measured = Measured { scene, reference_rms: 0.0, points, splits, texels };
+        let front = measured.front(None);
+        assert_eq!(front.len(), 1);
+        assert_eq!(front[0].errors.rms, 2.0);
+    }
 }

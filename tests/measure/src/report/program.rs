@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use super::{
-    choices::{Choice, Color, Correction, Filter, Shading, Visibility},
+    choices::{Arithmetic, Choice, Color, Correction, Filter, Shading, Visibility},
     scenes::{Scene, Tables},
 };
 
@@ -57,13 +57,19 @@ fn call(scene: &Scene, choice: &Choice) -> String {
         Visibility::Float16 => "FloatDepth",
         Visibility::Painter => "",
     };
-    let method = match (choice.visibility, choice.samples) {
-        (Visibility::Painter, _) => format!("painted::<{subpixel}, _, V, T>"),
-        (_, 1) => format!("frames::<{subpixel}, {depth}, _, V>"),
-        (_, side) => {
+    let method = match (choice.arithmetic, choice.visibility, choice.samples) {
+        (Arithmetic::Float, ..) => "in_f32::<0, V>".into(),
+        (Arithmetic::FloatLevels, ..) => "in_f32::<64, V>".into(),
+        (_, Visibility::Painter, _) => format!("painted::<{subpixel}, _, V, T>"),
+        (_, _, 1) => format!("frames::<{subpixel}, {depth}, _, V>"),
+        (_, _, side) => {
             let words = format!("{{ firmware::choice::words(T, {side}) }}");
             format!("supersampled::<{subpixel}, {depth}, _, {side}, V, {words}>")
         }
+    };
+    let shaded_by = match choice.arithmetic {
+        Arithmetic::Fixed => shader(choice, tables),
+        Arithmetic::Float | Arithmetic::FloatLevels => "&SUN".into(),
     };
     format!(
         "{{
@@ -77,9 +83,8 @@ fn call(scene: &Scene, choice: &Choice) -> String {
             shift: {shift},
             frames: {frames},
         }};
-        Choice {{ name: \"{name}\", scene }}.{method}({}, {black}, &{memory})
-    }}",
-        shader(choice, tables)
+        Choice {{ name: \"{name}\", scene }}.{method}({shaded_by}, {black}, &{memory})
+    }}"
     )
 }
 
