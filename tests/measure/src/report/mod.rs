@@ -3,6 +3,8 @@
 mod choices;
 mod diagram;
 mod errors;
+#[cfg(feature = "flip")]
+mod flip;
 mod front;
 mod page;
 mod points;
@@ -37,7 +39,8 @@ Examples:
 
 The page report.md, diagrams as SVG and PNG, report.csv and report.json are written to target/report
 (or --out DIR). A run that was interrupted goes on from the last whole scene. A model is converted
-as by `host-tools convert`, and turned in eight frames.
+as by `host-tools convert`, and turned in eight frames. Built with the feature `flip`, the report
+also has what an eye sees of the errors, by NVIDIA's FLIP.
 
 Exit status: 0 if all is well, 2 for bad usage or if something is missing.";
 

@@ -34,6 +34,9 @@ choices that no other one beats.
 * **Run time** is that of a frame, in cycles by the core's [timing table][cycles]; bars show the
   range where the table has one. It counts clearing depth, vertices, triangles and pixels, and with
   several samples their means.
+* **FLIP**, a column of reports made with the feature `flip`, is what an eye sees of the error: the
+  mean over the display of the measure by Andersson et al. (2020), from 0 to 1, for a display of 2.4
+  inches 40 cm away.
 * **f32** is a rasterizer in floating point, for comparison: what one writes for a core that has an
   FPU. It draws the same tables in the same view by Gouraud shading. *f32* computes a colour for each
   pixel, *f32-levels* takes one of 64 levels, as the library does. It is no choice of the library,
@@ -98,6 +101,8 @@ pub(super) fn page(report: &Report, advice: &str, picture: impl Fn(&str) -> Stri
 /// All points of a scene, the cheapest first.
 fn table(measured: &Measured, cores: &[Core]) -> Table {
     let mut headings = vec!["choice", "RMS", "inside", "8x8", "99.9 %", "most", "PSNR", "shimmer"];
+    let has_flip = measured.points.iter().any(|point| point.flip.is_some());
+    headings.extend(has_flip.then_some("FLIP"));
     headings.extend(cores.iter().map(|core| core.title()));
     if cores.is_empty() {
         headings.extend(["here, \u{b5}s", "least", "most"]);
@@ -116,7 +121,8 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
         );
         cells.extend([errors.p999, errors.max].map(|error| format!("{error:.0}")));
         cells.push(format!("{:.1} dB", errors.psnr_db()));
-        cells.push(shimmer(point, 2));
+        cells.push(decimals(point.shimmer, 2));
+        cells.extend(has_flip.then(|| decimals(point.flip, 4)));
         for &core in cores {
             cells.push(point.figure(Some(core)).map_or_else(String::new, count));
         }
@@ -129,9 +135,9 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
     table
 }
 
-/// The shimmer of a point with some decimals, if it is known.
-fn shimmer(point: &Point, decimals: usize) -> String {
-    point.shimmer.map_or_else(String::new, |shimmer| format!("{shimmer:.decimals$}"))
+/// A value with some decimals, if it is known.
+fn decimals(value: Option<f64>, decimals: usize) -> String {
+    value.map_or_else(String::new, |value| format!("{value:.decimals$}"))
 }
 
 /// The cheapest choice for each bound of the error, by halves.
@@ -186,7 +192,8 @@ fn causes(measured: &Measured) -> String {
 
 /// All points as rows of CSV: scene, choice, errors, and for each core instructions and cycles.
 pub(super) fn csv(report: &Report) -> String {
-    let mut text = String::from("scene,choice,rms,rms_inside,rms_squares,p999,max,shimmer,host_ns");
+    let mut text =
+        String::from("scene,choice,rms,rms_inside,rms_squares,p999,max,shimmer,flip,host_ns");
     for core in &report.cores {
         let name = core.facts().name;
         let _ = write!(text, ",{name}_instructions,{name}_cycles");
@@ -197,7 +204,7 @@ pub(super) fn csv(report: &Report) -> String {
             let errors = point.errors;
             let _ = write!(
                 text,
-                "{},{},{:.4},{:.4},{:.4},{:.2},{:.2},{},{}",
+                "{},{},{:.4},{:.4},{:.4},{:.2},{:.2},{},{},{}",
                 measured.scene.name,
                 point.choice.name(),
                 errors.rms,
@@ -205,7 +212,8 @@ pub(super) fn csv(report: &Report) -> String {
                 errors.rms_squares,
                 errors.p999,
                 errors.max,
-                shimmer(point, 4),
+                decimals(point.shimmer, 4),
+                decimals(point.flip, 5),
                 point.nanoseconds[1]
             );
             for &core in &report.cores {

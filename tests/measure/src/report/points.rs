@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{
     choices::{Arithmetic, Choice},
-    errors::{self, Errors},
+    errors::{self, Errors, Picture},
     front::front,
     run::{Drawn, Programs},
     scenes::Scene,
@@ -46,6 +46,9 @@ pub(super) struct Point {
     /// How it changes otherwise than exact pictures of as many samples a pixel while the scene
     /// moves by a 64th of a pixel, by [`errors::shimmer`]. `None` in figures without it.
     pub(super) shimmer: Option<f64>,
+    /// FLIP's mean error over all pixels of all frames, from 0 to 1, by the feature `flip`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) flip: Option<f64>,
     /// Nanoseconds of a frame on the host: the least, the median and the most of several runs.
     pub(super) nanoseconds: [u64; 3],
     pub(super) costs: Vec<Cost>,
@@ -140,6 +143,7 @@ impl Measured {
             Ok(Point {
                 choice,
                 errors: errors.with_context(|| format!("{} shows nothing", scene.name))?,
+                flip: flip(drawn.frames.iter().zip(&truths)),
                 shimmer: Some(errors::shimmer(pictures.zip(exact))),
                 nanoseconds: [times[0], times[times.len() / 2], times[times.len() - 1]],
                 costs: Vec::new(),
@@ -155,6 +159,16 @@ impl Measured {
         }
         Ok((Self { scene, reference_rms, points, splits, texels }, conditions))
     }
+}
+
+#[cfg(feature = "flip")]
+fn flip<'a>(frames: impl IntoIterator<Item = (&'a Picture, &'a Truth)>) -> Option<f64> {
+    Some(super::flip::mean(frames))
+}
+
+#[cfg(not(feature = "flip"))]
+fn flip<'a>(_: impl IntoIterator<Item = (&'a Picture, &'a Truth)>) -> Option<f64> {
+    None
 }
 
 /// Counts each choice in a program of its own. In one for all, the compiler inlines less of what
@@ -201,7 +215,14 @@ mod tests {
         let point = |choice: Choice| {
             let rms = if choice.arithmetic == Arithmetic::Fixed { 2.0 } else { 1.0 };
             let errors = Errors { rms, rms_inside: rms, rms_squares: rms, p999: rms, max: rms };
-            Point { choice, errors, shimmer: None, nanoseconds: [1; 3], costs: Vec::new() }
+            Point {
+                choice,
+                errors,
+                shimmer: None,
+                flip: None,
+                nanoseconds: [1; 3],
+                costs: Vec::new(),
+            }
         };
         let points: Vec<_> = scene.choices().into_iter().map(point).collect();
         assert!(points.iter().any(|point| point.errors.rms < 2.0));
