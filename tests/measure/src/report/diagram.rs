@@ -50,7 +50,8 @@ pub(super) fn diagram(measured: &Measured, core: Option<Core>) -> Chart {
             label: method.name.to_owned(),
             points,
             shape: Shape::Line,
-            marker: Some(MARKERS[number % MARKERS.len()]),
+            // A second curve of a colour has another marker.
+            marker: Some(MARKERS[(number + number / 5) % MARKERS.len()]),
             color: number % 5,
             is_dashed: number >= 5,
         });
