@@ -134,6 +134,7 @@ struct Blended<C, O, F> {
 impl<C, O: Outcome<C>, F: Fn(C, C) -> C> Outcome<C> for Blended<C, O, F> {
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = O::WRITES_DEPTH;
+    const IS_BLENDED: bool = true;
 
     #[inline(always)]
     fn color(self) -> Option<C> {

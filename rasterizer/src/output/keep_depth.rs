@@ -49,6 +49,7 @@ struct Unstored<C, O> {
 impl<C, O: Outcome<C>> Outcome<C> for Unstored<C, O> {
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = false;
+    const IS_BLENDED: bool = O::IS_BLENDED;
     const HAS_ALPHA: bool = O::HAS_ALPHA;
 
     #[inline(always)]

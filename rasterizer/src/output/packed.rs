@@ -313,6 +313,7 @@ struct Stored<'b, C, P> {
 impl<C: PackedColor, P: Outcome<C>> Outcome<()> for Stored<'_, C, P> {
     const DISCARDS: bool = P::DISCARDS;
     const WRITES_DEPTH: bool = P::WRITES_DEPTH;
+    const IS_BLENDED: bool = P::IS_BLENDED;
 
     #[inline(always)]
     fn color(self) -> Option<()> {

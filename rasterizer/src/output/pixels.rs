@@ -212,7 +212,9 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
             return;
         }
         let run = Self { depth, depth_step, varyings, varyings_step };
-        if IS_NARROW && !tests_depth && size_of::<V::Walk>() <= FEW_BYTES {
+        let has_few_registers = size_of::<V::Walk>() > FEW_BYTES;
+        // A blended pixel is long: to repeat it eight times takes flash, and saves little.
+        if IS_NARROW && !tests_depth && !has_few_registers && !O::IS_BLENDED {
             run.draw_in_blocks_of::<8, _, _>(colors, cells, place, pixel);
         } else {
             run.draw_in_blocks_of::<2, _, _>(colors, cells, place, pixel);

@@ -11,6 +11,9 @@ pub trait Outcome<C>: Sized {
     /// Whether a pixel that is not discarded stores its depth.
     const WRITES_DEPTH: bool = true;
 
+    /// Whether the colour is blended with the stored one.
+    const IS_BLENDED: bool = false;
+
     /// Whether [`layer`](Self::layer) may be anything but opaque.
     const HAS_ALPHA: bool = false;
 
