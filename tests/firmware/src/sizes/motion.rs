@@ -1,11 +1,11 @@
-//! The scenes of meshes that move, or come as bytes. They differ from [`super::scenes`]'
-//! `GouraudS4` in that, and in their model, a sphere.
+//! The scenes of meshes that move, are shaped by a matrix, or come as bytes. They differ from
+//! [`super::scenes`]' `GouraudS4` in that, and in their model, a sphere.
 
 use core::hint::black_box;
 
 use rasterizer::{
     mesh::{Aligned, BoundingBox, Mesh, Moving, MovingMesh, Progress},
-    numbers::S4,
+    numbers::{Matrix, S4, Scalar},
     scene::Object,
     shade::Gouraud,
 };
@@ -35,6 +35,25 @@ impl Scene for GouraudMorph {
             let progress = black_box(const { Progress::lit("0.3") });
             let tween = PULSE_KEYFRAMES.between(0, 1, progress)?;
             let object = Object::morphed(&tween, Gouraud::new(LIGHT)).posed(view.pose());
+            memory.draw(&object, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
+
+/// A sphere in a matrix.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudShaped;
+
+impl Scene for GouraudShaped {
+    type Memory = Smooth<VERTICES>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        const FLAT: Matrix = Matrix::scaling(Scalar::ONE, Scalar::lit("0.5"), Scalar::NEG_ONE);
+        for_each_view(|view| {
+            let object = Object::new(&SPHERE, Gouraud::new(LIGHT)).shaped(black_box(&FLAT));
+            let object = object.posed(view.pose());
             memory.draw(&object, &camera(view, PERSPECTIVE, PICTURE)?, display)
         })
     }

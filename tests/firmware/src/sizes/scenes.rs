@@ -23,7 +23,7 @@ pub use super::color::{DitheredDirect, DitheredPacked};
 pub use super::fog::{FogPixels, FogVertices, Matcap, VertexColors};
 pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
 pub use super::lines::{LinesDirect, LinesHidden, LinesSmooth, PointsDirect};
-pub use super::motion::{GouraudFile, GouraudMorph, GouraudMoving};
+pub use super::motion::{GouraudFile, GouraudMorph, GouraudMoving, GouraudShaped};
 pub use super::painter::PainterDirect;
 pub use super::particles::ParticlesAdd;
 pub use super::textured::{

@@ -181,11 +181,14 @@ exponential, at each pixel or at each *vertex*. *dither* is that of 8 x 8 thresh
 are those of an OLED. *lines* are the edges of its faces, and *drawn* counts their pixels: with
 *hidden* those that the sphere does not hide, after its depth has been drawn. *smooth* ones are
 antialiased, one pixel wide. *points* are its vertices, 3 x 3 pixels each. *scissored* draws in the
-right half of the picture. *painter* draws from back to front, without depth. *layers* are six
-spheres one behind the other, the farthest drawn first; *deferred*, a visibility buffer is drawn,
-and each visible pixel is shaded once. *walk* is the world of `rasterizer/examples/walk.rs` on 240 x 240
-pixels, with all that is sent, the mean of 24 frames. *sent* is drawn in bands and sent to a display, *2x2* and
-*4x4* with as many samples a pixel. The *pixels* of *layers* have their vertices too.";
+right half of the picture. *painter* draws from back to front, without depth. *shaped* is the sphere
+stretched, mirrored and sheared by a matrix, *morph* the sphere between two shapes. *sent* is drawn
+in bands and sent to a display, *2x2* and *4x4* with as many samples a pixel.
+
+*layers* are six spheres one behind the other, the farthest drawn first; *deferred*, a visibility
+buffer is drawn, and each visible pixel is shaded once. Their *pixels* have their vertices too.
+*walk* is the world of `rasterizer/examples/walk.rs` on 240 x 240 pixels, with all that is sent, the
+mean of 24 frames; its triangles are not counted.";
 
     fn parse(outputs: &[Output]) -> Result<Self> {
         let mut scenes = Vec::new();
