@@ -2,7 +2,11 @@
 
 use rasterizer::{color::Alpha, mesh::MeshVertex};
 
-use super::view::View;
+use super::{
+    Form,
+    noted::Noted,
+    view::{View, ViewError},
+};
 use crate::{model::Model, reference};
 
 /// Along which axis of the model pixels fade: they are opaque at its lower end and clear at the
@@ -44,12 +48,17 @@ pub(super) struct Fading {
 
 impl Fading {
     /// That of a model in a view.
-    pub(super) fn of(model: &Model, view: &View) -> Self {
-        let along = view.fade.axis().map(|axis| {
-            let all = || model.positions.iter().map(|position| position[axis]);
-            (axis, [all().min().unwrap_or(0), all().max().unwrap_or(0)])
-        });
-        Self { along: along.filter(|(_, [low, high])| low < high) }
+    pub(super) fn of(model: &Model, view: &View) -> Result<Self, ViewError> {
+        let Some(axis) = view.fade.axis() else { return Ok(Self { along: None }) };
+        let along = |positions: &[[i16; 3]]| {
+            let all = || positions.iter().map(|position| position[axis]);
+            let ends = [all().min().unwrap_or(0), all().max().unwrap_or(0)];
+            Self { along: (ends[0] < ends[1]).then_some((axis, ends)) }
+        };
+        Ok(match view.form {
+            Form::AsModelled => along(&model.positions),
+            _ => along(&Noted::of(model, view)?.positions),
+        })
     }
 
     /// The alpha by the position in quanta, rounded to a 256th.

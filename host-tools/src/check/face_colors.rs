@@ -47,7 +47,8 @@ pub(super) fn colors(
 /// The distances between which each face lies in fog, with a quantum of the tables on both sides.
 fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
     let (_, scale) = view.core_place();
-    let quantum = scale * f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
+    let length = |v: [f64; 3]| v.iter().map(|c| c * c).sum::<f64>().sqrt();
+    let quantum = scale * view.form.half_quanta(model).map(length).iter().sum::<f64>();
     let (camera, faces) = (view.reference_camera(), &model.exact.faces);
     let [near, far] = [view.near, view.far];
     let posed = view.pose_points(&faces.positions).into_iter();
@@ -70,9 +71,8 @@ fn distances(model: &Model, view: &View) -> Vec<[f64; 2]> {
 fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
     let lights = view.lights.reference();
     let faces = &model.exact.faces;
-    // By how much the level of a normal in 127ths may be off: it lies in the unit cube about the
-    // exact one, whose diagonal is the root of 3.
-    let normal = total(&lights).min(1.0) * 1.733 / 127.0;
+    // By how much the level of a normal in 127ths may be off.
+    let normal = total(&lights).min(1.0) * view.form.level_error();
     let any = [lights.ambient - normal, 1.0];
     let within = |levels: &mut dyn Iterator<Item = f64>| {
         let [low, high] = levels

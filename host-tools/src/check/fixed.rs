@@ -7,20 +7,21 @@ use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
     camera::Camera,
     color::Composite,
-    geometry::{self, ClipAll, ScreenVertex},
+    geometry::{self, ClipPlanes, ScreenVertex},
     numbers,
-    output::StoredColor,
-    scene::Object,
+    output::{Replace, StoredColor},
+    scene::{Mode, Object},
     shade::{self, Density, Fogged, OnScreen, Shader},
     texture::Texel,
 };
 
 use super::{
-    Blending, Fog, NormalErrors, Texels,
+    Blending, Fog, MOST_PLANES, NormalErrors, Texels,
     any_depth::{self, AnyDepth},
     blending::Layers,
     drawing::{self, Drawing},
     fog::{self, AnyFog, SeenPicture},
+    form::{Form, Formed, UseObject, in_form},
     layers::Blended,
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
@@ -130,11 +131,12 @@ pub(super) struct Placed<const N: usize, C> {
     pub(super) fog: Option<SeenPicture>,
 }
 
-/// Draws a model by the core, in the fog of the view and cut at its planes. `placed` returns the
-/// reference's varyings of a corner.
+/// Draws a model by the core, in the form and the fog of the view and cut at its planes. `placed`
+/// returns the reference's varyings of a corner.
 ///
-/// A view with fog or planes has one type for both, with a fog that may be none and planes that may
-/// be far away: a copy of the code for each would take another minute to compile.
+/// A view with fog, planes or a form has one type for fog and planes, with a fog that may be none
+/// and planes that may be far away: a copy of the code for each would take another minute to
+/// compile.
 pub(super) fn place<const N: usize, Sh>(
     model: &Model,
     view: &View,
@@ -150,17 +152,18 @@ where
     let near = view.rounded().near;
     fog::with(chosen.by, || {
         let planes = view.planes.core()?;
-        let drawn = if view.fog.is_some() || view.planes.exist() {
+        let is_plain = view.fog.is_none() && !view.planes.exist() && view.form == Form::AsModelled;
+        let drawn = if is_plain {
+            let placed = |triangle, corner| (placed(triangle, corner), 1.0);
+            any_depth::with(view.depth, || {
+                drawing::draw(view, Plain { model, view, shader, placed })
+            })
+        } else {
             let placed =
                 |triangle, (corner, seen)| (placed(triangle, corner), fog::inverse_w(seen, near));
             let shader = &in_fog;
             any_depth::with(view.depth, || {
-                drawing::draw(view, ByShader { model, view, shader, clipping: planes, placed })
-            })
-        } else {
-            let placed = |triangle, corner| (placed(triangle, corner), 1.0);
-            any_depth::with(view.depth, || {
-                drawing::draw(view, ByShader { model, view, shader, clipping: ClipAll, placed })
+                drawing::draw(view, ByShader { model, view, shader, planes, placed })
             })
         }?;
         let blended = match view.blending {
@@ -178,20 +181,18 @@ pub(super) trait ShownColor: StoredColor + From<Rgb888> + Into<Rgb888> {}
 
 impl<C: StoredColor + From<Rgb888> + Into<Rgb888>> ShownColor for C {}
 
-/// A model, and what the reference has at its corners.
-struct ByShader<'a, Sh, C, F> {
+/// A model as it was modelled, without planes, and what the reference has at its corners.
+struct Plain<'a, Sh, F> {
     model: &'a Model,
     view: &'a View,
     shader: &'a Sh,
-    clipping: C,
     /// The varyings and 1 / w of a corner of a triangle.
     placed: F,
 }
 
-impl<const N: usize, Sh, C, F> Drawing for ByShader<'_, Sh, C, F>
+impl<const N: usize, Sh, F> Drawing for Plain<'_, Sh, F>
 where
     Sh: Shader<Color: ShownColor>,
-    C: geometry::Clipping,
     F: Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 {
     type Drawn = Placed<N, Sh::Color>;
@@ -200,38 +201,107 @@ where
         self,
         camera: &Camera<P>,
     ) -> Result<Self::Drawn, ViewError> {
-        let Self { model, view, shader, clipping, placed } = self;
+        let Self { model, view, shader, placed } = self;
         let mesh = model.mesh();
-        let object = Object::new(&mesh, shader.clone()).posed(view.pose()?).clipped(clipping);
-        let mut storage =
-            vec![ScreenVertex::<S, AnyDepth, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
-        let start = Instant::now();
-        let projected = object.project(camera, &mut storage)?;
-        let projecting = start.elapsed();
-        let drawn = object::draw_colors(&projected, view.area())?;
-        let (depth, mut inverses) = (view.depth.definition(), Vec::new());
-        let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
-            let (varyings, inverse_w) = placed(triangle, corner.varyings());
-            inverses.push(inverse_w);
-            (depth.depth(corner.depth().into()), varyings)
-        });
-        let fog = view.rounded().fog.map(|fog| {
-            let size = view.size.map(|c| c as usize).into();
-            SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
-        });
-        let vertices = projected
-            .vertices()
-            .iter()
-            .map(|vertex| vertex.position().map(to_pixels::<S>))
-            .collect();
-        Ok(Placed {
-            picture: drawn.picture(view.area()),
-            triangles,
-            vertices,
-            time: projecting + drawn.time,
-            colors: drawn.color,
-            blended: None,
-            fog,
-        })
+        let object = Object::new(&mesh, shader.clone()).posed(view.pose()?);
+        draw_object(&object, view, (camera, S::default()), placed)
     }
+}
+
+/// A model in any form, cut at planes, and what the reference has at its corners.
+struct ByShader<'a, Sh, F> {
+    model: &'a Model,
+    view: &'a View,
+    shader: &'a Sh,
+    planes: ClipPlanes<MOST_PLANES>,
+    /// The varyings and 1 / w of a corner of a triangle.
+    placed: F,
+}
+
+impl<const N: usize, Sh, F> Drawing for ByShader<'_, Sh, F>
+where
+    Sh: Shader<Color: ShownColor>,
+    F: Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
+{
+    type Drawn = Placed<N, Sh::Color>;
+
+    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
+        self,
+        camera: &Camera<P>,
+    ) -> Result<Self::Drawn, ViewError> {
+        let Self { model, view, shader, planes, placed } = self;
+        let precision = S::default();
+        in_form(model, view, shader.clone(), Cut { view, planes, camera, precision, placed })
+    }
+}
+
+/// Draws an object that planes cut, with a camera and in a precision.
+struct Cut<'a, P, S, F> {
+    view: &'a View,
+    planes: ClipPlanes<MOST_PLANES>,
+    camera: &'a Camera<P>,
+    precision: S,
+    placed: F,
+}
+
+impl<const N: usize, Sh, P, S, F> UseObject<Sh> for Cut<'_, P, S, F>
+where
+    Sh: Shader<Color: ShownColor>,
+    P: geometry::Projection,
+    S: numbers::Subpixel,
+    F: Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
+{
+    type Done = Placed<N, Sh::Color>;
+
+    fn use_object<G: geometry::Shape>(
+        self,
+        object: Formed<'_, Sh, G>,
+    ) -> Result<Self::Done, ViewError> {
+        let Self { view, planes, camera, precision, placed } = self;
+        let object = object.posed(view.pose()?).clipped(planes);
+        draw_object(&object, view, (camera, precision), placed)
+    }
+}
+
+/// Draws an object, with a camera and in a precision. `placed` returns the varyings and 1 / w of a
+/// corner of a triangle.
+fn draw_object<const N: usize, Sh, M, P, S>(
+    object: &Object<'_, Sh, M>,
+    view: &View,
+    (camera, _): (&Camera<P>, S),
+    placed: impl Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
+) -> Result<Placed<N, Sh::Color>, ViewError>
+where
+    Sh: Shader<Color: ShownColor>,
+    M: Mode<Blending = Replace>,
+    P: geometry::Projection,
+    S: numbers::Subpixel,
+{
+    let mut storage =
+        vec![ScreenVertex::<S, AnyDepth, OnScreen<Sh>>::EMPTY; object.mesh().vertex_count()];
+    let start = Instant::now();
+    let projected = object.project(camera, &mut storage)?;
+    let projecting = start.elapsed();
+    let drawn = object::draw_colors(&projected, view.area())?;
+    let (depth, mut inverses) = (view.depth.definition(), Vec::new());
+    let triangles = screen_triangles(&projected, Point::zero(), |triangle, corner| {
+        let (varyings, inverse_w) = placed(triangle, corner.varyings());
+        inverses.push(inverse_w);
+        (depth.depth(corner.depth().into()), varyings)
+    });
+    let fog = view.rounded().fog.map(|fog| {
+        let size = view.size.map(|c| c as usize).into();
+        SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
+    });
+    let vertices =
+        projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
+    Ok(Placed {
+        picture: drawn.picture(view.area()),
+        triangles,
+        vertices,
+        time: projecting + drawn.time,
+        colors: drawn.color,
+        blended: None,
+        fog,
+    })
 }

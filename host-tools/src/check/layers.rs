@@ -6,9 +6,11 @@ use embedded_graphics_core::geometry::Point;
 use rasterizer::{
     attribute::NoDepth,
     camera::Camera,
-    geometry, numbers,
+    color::Alpha,
+    geometry,
+    mesh::MeshVertex,
+    numbers,
     output::{Frame, MaterialOpacity},
-    scene::Object,
     shade::{Faded, Shader},
 };
 
@@ -18,6 +20,7 @@ use super::{
     display::rgb888,
     drawing::Drawing,
     fixed::ShownColor,
+    form::{Formed, UseObject, in_form},
     object::screen_triangles,
     view::{View, ViewError},
 };
@@ -44,15 +47,43 @@ impl<Sh: Shader<Color: ShownColor>> Drawing for Blended<'_, Sh> {
         self,
         camera: &Camera<P>,
     ) -> Result<Layers, ViewError> {
-        let Self { model, view, blend, shader } = self;
-        let (mesh, layers, fading) = (model.mesh(), RefCell::default(), Fading::of(model, view));
+        let Self { model, view, shader, .. } = self;
+        let fading = Fading::of(model, view)?;
+        let shader = Faded::new(shader.clone(), fading.of_vertices());
+        in_form(model, view, shader, Stacked { of: self, camera, precision: S::default() })
+    }
+}
+
+/// Blends an object with itself, with a camera and in a precision.
+struct Stacked<'a, 'b, Sh, P, S> {
+    of: Blended<'b, Sh>,
+    camera: &'a Camera<P>,
+    precision: S,
+}
+
+impl<Sh, F, P, S> UseObject<Faded<Sh, F>> for Stacked<'_, '_, Sh, P, S>
+where
+    Sh: Shader<Color: ShownColor>,
+    F: Fn(&MeshVertex<'_>) -> Alpha + Clone,
+    P: geometry::Projection,
+    S: numbers::Subpixel,
+{
+    type Done = Layers;
+
+    fn use_object<G: geometry::Shape>(
+        self,
+        object: Formed<'_, Faded<Sh, F>, G>,
+    ) -> Result<Layers, ViewError> {
+        let Self { of: Blended { model, view, blend, .. }, camera, precision } = self;
+        let layers = RefCell::default();
         let factor = MaterialOpacity::times(blending::alpha(view.opacity));
-        let object = Object::new(&mesh, Faded::new(shader.clone(), fading.of_vertices()))
-            .posed(view.pose()?)
-            .clipped(view.planes.core()?)
-            .blended(Recorder { blend, factor, layers: &layers });
-        let mut order = vec![0; mesh.triangle_count()];
-        let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
+        let object = object.posed(view.pose()?).clipped(view.planes.core()?).blended(Recorder {
+            blend,
+            factor,
+            layers: &layers,
+        });
+        let mut order = vec![0; model.mesh().triangle_count()];
+        let projected = object.project_on_demand::<P, S, NoDepth>(camera, precision)?;
         // Varyings of alphas have 15 bits behind the point; depth is not compared here.
         let triangles = screen_triangles(&projected, Point::zero(), |_, corner| {
             let (_, [alpha]) = corner.varyings();

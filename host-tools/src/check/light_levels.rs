@@ -1,30 +1,43 @@
 //! The levels of light that the definitions of shaders have, at triangles and at corners.
 
-use super::{quantised_positions, surface::Surface, view::View};
+use super::{
+    Form,
+    noted::Noted,
+    surface::Surface,
+    view::{View, ViewError},
+};
 use crate::model::Model;
 
 /// The levels of the triangles of the tables, and of those that the faces of the file are cut into,
-/// at their middles.
-pub(super) fn flat_levels(model: &Model, surface: &Surface, view: &View) -> (Vec<f64>, Vec<f64>) {
+/// at their middles. In a form, the former are those of the normals that the core has, where they
+/// are within their bound.
+pub(super) fn flat_levels(
+    model: &Model,
+    surface: &Surface,
+    view: &View,
+) -> Result<(Vec<f64>, Vec<f64>), ViewError> {
     let lights = view.lights.reference();
     let mean = |corners: [[f64; 3]; 3]| {
         [0, 1, 2].map(|i| corners.iter().map(|corner| corner[i]).sum::<f64>() / 3.0)
     };
-    let positions = view.core_pose_points(&quantised_positions(model));
-    let normals: Vec<_> =
-        model.face_normals.iter().map(|n| n.map(|c| f64::from(c) / 127.0)).collect();
+    let positions = view.core_pose_points(&view.form.table_positions(model));
+    let [_, mut normals] = view.form.table_normals(model);
+    // There is no surface where only the core's picture is wanted.
+    let is_judged = !surface.planes.is_empty();
+    if is_judged && view.form != Form::AsModelled {
+        normals = Noted::of(model, view)?.face_normals(&normals);
+    }
     let triangles = model.triangles.as_triangles();
     let levels = view.core_pose_directions(&normals).into_iter().enumerate().map(|(i, normal)| {
         let corners = triangles.get(i).unwrap_or_default();
         lights.diffuse(mean(corners.map(|vertex| positions[vertex])), normal)
     });
-    // There is no surface where only the core's picture is wanted.
     let mesh = surface.mesh(model, &view.rounded());
     let file_normals = view.pose_directions(&surface.triangle_normals(model));
     let file_levels = mesh.triangles.iter().zip(file_normals).map(|(corners, normal)| {
         lights.diffuse(mean(corners.map(|vertex| mesh.positions[vertex])), normal)
     });
-    (levels.collect(), file_levels.collect())
+    Ok((levels.collect(), file_levels.collect()))
 }
 
 /// The levels that each corner of each face may have, at least one.

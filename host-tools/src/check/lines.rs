@@ -1,7 +1,7 @@
 //! The edges, lines and points of a model, by the same calls as on a microcontroller: drawn, and
 //! judged.
 
-use std::convert::Infallible;
+use std::{convert::Infallible, marker::PhantomData};
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
@@ -20,6 +20,7 @@ use super::{
     Blending, FixedPicture, LineOutcome, Pixel,
     display::rgb888,
     drawing::{self, Drawing},
+    form::{Formed, UseObject, in_form},
     judged_lines::{Canvas, Owners},
     shading,
     view::{View, ViewError},
@@ -148,14 +149,19 @@ pub(super) fn draw_over(
     }
 }
 
-/// The model in a view, with its surfaces behind its lines.
-fn behind_lines<'a, Sh: Shader>(
-    mesh: &'a Mesh<'a>,
-    shader: Sh,
+/// An object in a view, with its surfaces behind its lines.
+fn behind_lines<'a, Sh: Shader, G: geometry::Shape>(
+    object: Formed<'a, Sh, G>,
     view: &View,
-) -> Result<Object<'a, Sh, impl Mode<Blending = Replace> + use<Sh>>, ViewError> {
-    let object = Object::new(mesh, shader).posed(view.pose()?);
-    Ok(object.clipped(view.planes.core()?).biased(BEHIND))
+) -> Result<Object<'a, Sh, impl Mode<Blending = Replace> + use<Sh, G>>, ViewError> {
+    Ok(object.posed(view.pose()?).clipped(view.planes.core()?).biased(BEHIND))
+}
+
+/// What is drawn with a camera and in a precision.
+struct With<'a, T, P, S> {
+    drawing: T,
+    camera: &'a Camera<P>,
+    precision: PhantomData<S>,
 }
 
 /// Lines and points over a picture.
@@ -176,11 +182,28 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'
         self,
         camera: &Camera<P>,
     ) -> Result<FixedPicture, ViewError> {
-        let Self { model, view, options, under, surfaces, shader } = self;
-        let mesh = model.mesh();
-        let object = behind_lines(&mesh, shader, view)?;
+        let (model, view, shader) = (self.model, self.view, self.shader.clone());
+        in_form(model, view, shader, With { drawing: self, camera, precision: PhantomData::<S> })
+    }
+}
+
+impl<Sh, P, S> UseObject<Sh> for With<'_, Over<'_, Sh>, P, S>
+where
+    Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
+    P: geometry::Projection,
+    S: numbers::Subpixel,
+{
+    type Done = FixedPicture;
+
+    fn use_object<G: geometry::Shape>(
+        self,
+        object: Formed<'_, Sh, G>,
+    ) -> Result<FixedPicture, ViewError> {
+        let Over { model, view, options, under, surfaces, .. } = self.drawing;
+        let object = behind_lines(object, view)?;
+        let mesh = *object.mesh();
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
-        let seen = object.project(camera, &mut storage)?;
+        let seen = object.project(self.camera, &mut storage)?;
 
         let shown = |(place, pixel): (usize, &Pixel)| {
             let behind = || under.map_or(view.background, |under| under[place]);
@@ -352,11 +375,29 @@ where
         self,
         camera: &Camera<P>,
     ) -> Result<LineOutcome, ViewError> {
-        let Self { model, view, options, shader, color } = self;
-        let mesh = model.mesh();
-        let object = behind_lines(&mesh, shader, view)?;
+        let (model, view, shader) = (self.model, self.view, self.shader.clone());
+        in_form(model, view, shader, With { drawing: self, camera, precision: PhantomData::<S> })
+    }
+}
+
+impl<Sh, F, P, S> UseObject<Sh> for With<'_, Judged<'_, Sh, F>, P, S>
+where
+    Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
+    F: Fn(OnScreen<Sh>) -> Option<[f64; 3]>,
+    P: geometry::Projection,
+    S: numbers::Subpixel,
+{
+    type Done = LineOutcome;
+
+    fn use_object<G: geometry::Shape>(
+        self,
+        object: Formed<'_, Sh, G>,
+    ) -> Result<LineOutcome, ViewError> {
+        let Judged { model, view, options, color, .. } = self.drawing;
+        let object = behind_lines(object, view)?;
+        let mesh = *object.mesh();
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
-        let seen = object.project(camera, &mut storage)?;
+        let seen = object.project(self.camera, &mut storage)?;
         let pixels = view.pixel_count();
         let mut canvas =
             Canvas { colors: vec![rgb888(view.background); pixels], depth: vec![0; pixels] };

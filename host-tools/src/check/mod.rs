@@ -37,6 +37,7 @@ mod face_colors;
 mod filter;
 mod fixed;
 mod fog;
+mod form;
 mod judged_lines;
 mod layers;
 mod light_levels;
@@ -44,6 +45,7 @@ mod lights;
 mod lines;
 mod matcap;
 mod normals;
+mod noted;
 mod object;
 mod placement;
 mod places;
@@ -61,7 +63,10 @@ mod textured;
 mod truth;
 mod view;
 
-use std::time::{Duration, Instant};
+use std::{
+    borrow::Cow,
+    time::{Duration, Instant},
+};
 
 pub use alphas::{AlphaBound, AlphaError, FadeAlong};
 pub use blending::{BACKGROUND, BlendBound, BlendError, Blended, Blending};
@@ -72,6 +77,7 @@ pub use depth::{DefinedDepth, DepthFormat};
 pub use display::{Colors, Display, DisplayOutcome, Matrix};
 pub use filter::{Filter, Precision, Right, Seen};
 pub use fog::{Fog, FogBy};
+pub use form::Form;
 pub use judged_lines::LineOutcome;
 pub use lights::{Lamp, MOST_LIGHTS, Sun, ViewLights};
 pub use lines::{Edges, LineOptions, judge_lines, render_with_lines, wireframe};
@@ -89,6 +95,7 @@ pub(crate) use {stand::angle, view::checked};
 
 use crate::{model::Model, reference};
 use fixed::Drawn;
+use noted::Noted;
 use placement::Placement;
 use places::{FaceColors, Judge};
 use skins::Skins;
@@ -149,7 +156,12 @@ impl<'a> Checker<'a> {
     /// Prepares the comparisons: cuts the faces of the file into triangles, apart from the tables.
     #[must_use]
     pub fn new(model: &'a Model) -> Self {
-        let surface = Surface::of(model);
+        Self::of(model, false)
+    }
+
+    /// Of a model whose faces run the way that its tables do, or the other one.
+    fn of(model: &'a Model, is_mirrored: bool) -> Self {
+        let surface = Surface::of(model, is_mirrored);
         Self { model, skins: Skins::new(model, &surface, skins::of_materials(model)), surface }
     }
 
@@ -160,9 +172,24 @@ impl<'a> Checker<'a> {
     /// Returns an error if the view's numbers are out of range, or if the core cannot draw the
     /// model in it.
     pub fn check(&self, view: &View) -> Result<Checked, ViewError> {
+        match view.form.made(self.model)? {
+            Cow::Borrowed(_) => self.check_made(view),
+            Cow::Owned(made) => Checker::of(&made, view.form.is_mirrored()).check_made(view),
+        }
+    }
+
+    /// [`check`](Self::check) of a model whose faces are in the form of the view.
+    fn check_made(&self, view: &View) -> Result<Checked, ViewError> {
         let drawn = shading::draw(self.model, &self.surface, &self.skins, view)?;
         let colors = face_colors::colors(self.model, &self.surface, &self.skins, &view.rounded());
-        Ok(self.compare(view, drawn, &colors))
+        let mut checked = self.compare(view, drawn, &colors);
+        if view.form != Form::AsModelled {
+            let exact = view.form.table_normals(self.model);
+            let errors = Noted::of(self.model, view)?.normal_errors(&exact);
+            let normals = &mut checked.outcome.arithmetic.normals;
+            *normals = Some(normals.map_or(errors, |own| own.or_worse(errors)));
+        }
+        Ok(checked)
     }
 
     /// Draws the reference of a view that the core has drawn, and compares. `colors` are
@@ -195,9 +222,10 @@ impl<'a> Checker<'a> {
             fixed_ms: milliseconds(drawn.time),
             reference_ms: milliseconds(time),
         };
-        let quantised = vertices(rounded.core_pose_points(&quantised_positions(model)), &|_| {
-            placement.of_arithmetic()
-        });
+        let quantised =
+            vertices(rounded.core_pose_points(&view.form.table_positions(model)), &|_| {
+                placement.of_arithmetic()
+            });
         let exact =
             vertices(rounded.pose_points(&model.exact.positions), &|p| placement.of_vertex(p));
         let judge = Judge {

@@ -7,11 +7,12 @@ use crate::reference::{DepthFormat, Picture};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "cli", derive(serde::Serialize))]
 pub struct NormalErrors {
-    /// The largest angle in degrees.
+    /// The largest angle in degrees: of the normals of pixels, and of those that the core makes of
+    /// the tables' for a model that is not as it was modelled.
     pub normal_max_error_degrees: f64,
     /// How large it may be.
     pub normal_bound_degrees: f64,
-    /// The pixel where it is.
+    /// The pixel where it is; `None` if it is of a vertex or a triangle.
     pub normal_worst: Option<[usize; 2]>,
 }
 
@@ -56,6 +57,24 @@ impl NormalErrors {
             }
         }
         errors
+    }
+}
+
+impl NormalErrors {
+    /// Compares normals that the core makes of those of tables with the exact ones.
+    pub(super) fn of_tables(pairs: impl Iterator<Item = ([f64; 3], [f64; 3])>) -> Self {
+        let angles = pairs.filter(|(_, exact)| length(*exact) > 0.0).map(|(a, b)| degrees(a, b));
+        Self {
+            normal_max_error_degrees: angles.fold(0.0, f64::max),
+            normal_bound_degrees: BOUND_DEGREES,
+            normal_worst: None,
+        }
+    }
+
+    /// The worse of these and others.
+    pub(super) fn or_worse(self, other: Self) -> Self {
+        let is_worse = other.normal_max_error_degrees > self.normal_max_error_degrees;
+        if is_worse { other } else { self }
     }
 }
 

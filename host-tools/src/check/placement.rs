@@ -3,8 +3,9 @@
 //! Three things move a vertex:
 //!
 //! * **Rounding to quanta** moves each coordinate of a position by half a quantum q at most. The
-//!   view turns it by a matrix, so a coordinate in view space is off by at most q / 2 times the sum
-//!   of the magnitudes in its row, plus what the matrix itself is rounded by: [`TURNING`] of the
+//!   view turns it by a matrix, and a [`Form`](super::Form) has another one before that, so a
+//!   coordinate in view space is off by at most q / 2 times the sum of the magnitudes in the row of
+//!   the product, plus what the matrix itself is rounded by: [`TURNING`] of the
 //!   position. Call it a across the view, and d along the distance w.
 //! * **Projection** divides by the distance. From f · X / w to f · (X + a) / (w - d) it is at most
 //!   `f · (a + |X / w| · d) / (w - d)` pixels, with the focal length f in pixels; in a parallel
@@ -89,16 +90,15 @@ impl CutPlane {
 
 impl Placement {
     pub(super) fn new(model: &Model, view: &View) -> Self {
-        let quantum = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
         let camera = view.reference_camera();
-        let columns = view.pose_directions(&[[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]);
+        let columns = view.pose_directions(&view.form.half_quanta(model));
         let columns: Vec<_> = columns.into_iter().map(|c| camera.turn_to_view(c)).collect();
         let (_, scale) = view.core_place();
         let reach = (model.exact.faces.positions.iter())
             .map(|p| p.iter().map(|c| c.abs()).sum())
             .fold(0.0, f64::max);
         let row = |i: usize| columns.iter().map(|column| column[i].abs()).sum::<f64>();
-        let quantum = [0, 1, 2].map(|i| scale * (row(i) * quantum / 2.0 + reach * TURNING));
+        let quantum = [0, 1, 2].map(|i| scale * (row(i) + reach * TURNING));
         let [near, far] = camera.projection.depth_range();
         let ends = [
             HalfSpace { normal: [0.0, 0.0, -1.0], offset: -near },

@@ -17,7 +17,7 @@ pub const MOST_PLANES: usize = 6;
 /// Of what space planes are.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PlaneSpace {
-    /// Of the model's: they turn with it.
+    /// Of the model's, as it was modelled: they turn with it, and a matrix changes them with it.
     #[default]
     Object,
     /// Of the one in which the model is turned: they stay where they are.
@@ -83,6 +83,7 @@ impl View {
         let (at, scale) = self.core_place();
         let posed = |side: &HalfSpace| match self.planes.space {
             PlaneSpace::Object => {
+                let side = self.form.half_space(*side);
                 let normal = self.pose_directions(&[side.normal])[0];
                 let moved: f64 = (0..3).map(|i| normal[i] * at[i]).sum();
                 HalfSpace { normal, offset: scale * side.offset - moved }

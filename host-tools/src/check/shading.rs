@@ -208,7 +208,7 @@ fn draw_lit<'a, L: Lighting>(
         Some(file_color(triangle).map(|channel| channel * level))
     };
     if view.shading == Shading::Flat {
-        let (levels, file_levels) = flat_levels(model, surface, view);
+        let (levels, file_levels) = flat_levels(model, surface, view)?;
         fixed::draw(
             (model, surface),
             view,
@@ -305,7 +305,7 @@ fn draw_textured<'a>(
                 .filtered(AnyFilter)
                 .corrected(AnyMode)
                 .with_wide_coordinates();
-            let (levels, file_levels) = flat_levels(model, surface, view);
+            let (levels, file_levels) = flat_levels(model, surface, view)?;
             textured::draw(
                 all,
                 texture_of,

@@ -6,9 +6,11 @@ use rasterizer::shade::{
 };
 
 use super::{
+    Form,
     fixed::{self, Drawn, Placed},
     lights::total,
     normals::{NormalErrors, seen_or},
+    noted::Noted,
     probe::Probe,
     surface::Surface,
     view::{View, ViewError},
@@ -51,7 +53,8 @@ impl<'a> Definition<'a> {
             std::iter::repeat_n(*finish, material.triangle_count as usize)
         };
         let faces = &model.exact.faces.faces;
-        let (viewer, middle) = (view.reference_viewer(), middle(model, view));
+        let viewer = view.reference_viewer();
+        let middle = view.core_pose_points(&[view.form.middle(model)])[0];
         Self {
             model,
             surface,
@@ -120,18 +123,6 @@ pub(super) fn brightest(model: &Model) -> Vec<[f64; 3]> {
     finishes(model).iter().map(|finish| finish.color(1.0, 1.0)).collect()
 }
 
-/// Where the middle of the box of the tables lies.
-fn middle(model: &Model, view: &View) -> [f64; 3] {
-    let bounds = *model.mesh().bounds();
-    let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
-    let offset = model.offset.to_bits().map(|c| f64::from(c) / 65_536.0);
-    let middle = [0, 1, 2].map(|i| {
-        let ends = f64::from(bounds.min[i]) + f64::from(bounds.max[i]);
-        offset[i] + step * ends / 2.0
-    });
-    view.core_pose_points(&[middle])[0]
-}
-
 /// Draws with highlights at the vertices.
 pub(super) fn draw_at_vertices<'a, L: Lighting>(
     definition: Definition<'a>,
@@ -187,6 +178,7 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
     let file_finishes = definition.file_finishes.clone();
     let file = Definition::new((model, surface), &rounded, definition.is_near);
     let core_view = *view;
+    let positions = position_units(model, view)?;
     let arithmetic = move |fixed: &super::FixedPicture| {
         let parts = |sample: &Sample<7>| {
             let [x, y, z, u, v, w, q] = sample.varyings;
@@ -195,14 +187,13 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
         let exact =
             reference::draw_screen(&triangles, size, |sample: Sample<7>| Some(parts(&sample)[0]));
         let errors = NormalErrors::of(&seen, fixed, depth, &exact);
-        let [spare, step] = position_units(model);
-        let offset = model.offset.to_bits().map(|c| f64::from(c) / 65_536.0);
+        let (unit, offset) = positions;
         // Of each fragment its colour, and by how much each channel of that may be off.
         let right = reference::draw_screen(&triangles, size, |sample: Sample<7>| {
             let [exact, position] = parts(&sample);
             let normal = seen_or(seen[sample.pixel[1] * size.0 + sample.pixel[0]], exact);
             let length = normal.iter().map(|c| c * c).sum::<f64>().sqrt();
-            let position = [0, 1, 2].map(|i| offset[i] + position[i] * spare * step);
+            let position = [0, 1, 2].map(|i| offset[i] + position[i] * unit);
             let normal = core_view.core_pose_directions(&[normal.map(|c| c / length)])[0];
             let position = core_view.core_pose_points(&[position])[0];
             let finish = &definition.finishes[sample.triangle];
@@ -247,10 +238,15 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
     })
 }
 
-/// Quanta for a unit of a position of 14 bits, and the length of a quantum.
-fn position_units(model: &Model) -> [f64; 2] {
+/// The length of a unit of a position of 14 bits, and where its zero lies.
+fn position_units(model: &Model, view: &View) -> Result<(f64, [f64; 3]), ViewError> {
+    if view.form != Form::AsModelled {
+        // The positions that the core computes fill 16 bits.
+        let Noted { quantum, offset, .. } = Noted::of(model, view)?;
+        return Ok((4.0 * quantum, offset));
+    }
     let most = model.positions.as_flattened().iter().map(|c| c ^ (c >> 15)).max().unwrap_or(0);
     let spare = most.leading_zeros() as i32 - 1;
     let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
-    [2f64.powi(2 - spare), step]
+    Ok((2f64.powi(2 - spare) * step, model.offset.to_bits().map(|c| f64::from(c) / 65_536.0)))
 }

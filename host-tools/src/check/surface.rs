@@ -47,9 +47,10 @@ pub(super) struct Side {
 }
 
 impl Surface {
-    pub(super) fn of(model: &Model) -> Self {
+    /// Of a model whose faces run the way that its tables do, or the other one if `is_mirrored`.
+    pub(super) fn of(model: &Model, is_mirrored: bool) -> Self {
         let exact = &model.exact.faces;
-        let mut surface = Self { vertices: vertices(model), ..Self::default() };
+        let mut surface = Self { vertices: vertices(model, is_mirrored), ..Self::default() };
         let mut known = HashMap::new();
         for (number, face) in exact.faces.iter().enumerate() {
             let ring = exact.ring(face);
@@ -131,7 +132,7 @@ pub(super) const fn next(face: &Face, corner: usize) -> usize {
 
 /// The vertices of the tables that each corner has become. Several, if the triangles of a face have
 /// different normals there.
-fn vertices(model: &Model) -> Vec<Vec<usize>> {
+fn vertices(model: &Model, is_mirrored: bool) -> Vec<Vec<usize>> {
     let exact = &model.exact.faces;
     // The faces at each position, and the corner of each there.
     let mut faces = vec![Vec::new(); exact.positions.len()];
@@ -154,7 +155,8 @@ fn vertices(model: &Model) -> Vec<Vec<usize>> {
             let found = positions.map(|position| corners.get(&(position, face)).copied());
             let [Some(a), Some(b), Some(c)] = found else { continue };
             // In the winding of the face, which may lie on another back to back.
-            let is_in_order = |[a, b, c]: [usize; 3]| a < b && b < c;
+            let is_in_order =
+                |[a, b, c]: [usize; 3]| (a < b) != is_mirrored && (b < c) != is_mirrored;
             if [[a, b, c], [b, c, a], [c, a, b]].into_iter().any(is_in_order) {
                 for (corner, vertex) in [a, b, c].into_iter().zip(triangle) {
                     if !vertices[corner].contains(&vertex) {

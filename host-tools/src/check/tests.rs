@@ -8,6 +8,7 @@ mod colored;
 mod display;
 mod filter;
 mod fog;
+mod form;
 mod lines;
 mod matcap;
 mod planes;
@@ -85,6 +86,7 @@ const FRONT: View = View {
     size: [320, 240],
     distance: 3.0,
     look: None,
+    form: Form::AsModelled,
     place: Place { at: [0.0; 3], turn_degrees: [0.0; 3], scale: 1.0 },
     projection: Projection::Perspective { field_of_view_degrees: 40.0 },
     near: 0.1,

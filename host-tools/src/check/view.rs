@@ -13,8 +13,8 @@ use rasterizer::{
 };
 
 use super::{
-    BACKGROUND, Blending, Correction, DepthFormat, Display, FadeAlong, Filter, Fog, Look, Place,
-    Shading, ViewLights, ViewPlanes,
+    BACKGROUND, Blending, Correction, DepthFormat, Display, FadeAlong, Filter, Fog, Form, Look,
+    Place, Shading, ViewLights, ViewPlanes,
     stand::{STEP, angle, rounded_degrees},
 };
 use crate::reference;
@@ -66,6 +66,8 @@ pub struct View {
     pub distance: f64,
     /// Where the camera stands and what it looks at; `None` for the z axis and the origin.
     pub look: Option<Look>,
+    /// What the model goes through before it is placed.
+    pub form: Form,
     /// Where the model stands.
     pub place: Place,
     /// The projection.
@@ -115,6 +117,7 @@ impl Default for View {
             size: [320, 240],
             distance: 3.0,
             look: None,
+            form: Form::default(),
             place: Place::default(),
             projection: Projection::Perspective { field_of_view_degrees: 40.0 },
             near: 0.1,
@@ -165,6 +168,20 @@ pub enum ViewError {
         /// Where it ends.
         end: f64,
     },
+    /// The matrix has no inverse, so no normals follow from it.
+    #[error("the matrix flattens the model: `render` draws that, but it is not judged")]
+    Flat,
+    /// The matrix is nearly flat.
+    #[error(
+        "the matrix stretches {unevenness:.0} times more in one direction than in another, but \
+         normals have a bound up to {most} times only"
+    )]
+    Uneven {
+        /// The largest stretch over the least.
+        unevenness: f64,
+        /// The most that is judged.
+        most: f64,
+    },
     /// The core refuses the model in this view.
     #[error("{0}")]
     Project(#[from] ProjectError),
@@ -191,6 +208,7 @@ impl View {
         Self {
             distance: length(self.distance),
             look: self.look.map(Look::rounded),
+            form: self.form.rounded(),
             place: self.place.rounded(),
             projection: match self.projection {
                 Projection::Perspective { field_of_view_degrees } => {

@@ -40,6 +40,7 @@ Examples:
   host-tools check model.obj --blend over --opacity 0.5 --fade y
   host-tools check model.obj --edges 30
   host-tools check model.obj --clip 0,0,-1,0.25 --clip-in world
+  host-tools check model.obj --matrix=1,0.5,0,0,1,0,0,0,-2
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
@@ -55,6 +56,8 @@ What is judged:
                 --opacity, within 1/2 unit of 1/256 for each that is rounded and for each product;
                 and their blended colour against f64: 1/2 step of rounding for each layer, times
                 what later ones let pass.
+                With --stretch or --matrix, each normal that the core makes of one of the tables
+                against the inverse transpose times it: within half a degree.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be

@@ -9,7 +9,7 @@ use clap::{
 };
 use host_tools::{
     check::{
-        self, BACKGROUND, Colors, Display, Edges, FixedPicture, Fog, LineOptions, Matrix,
+        self, BACKGROUND, Colors, Display, Edges, FixedPicture, Fog, Form, LineOptions, Matrix,
         SceneModel, Shading, View, ViewError, render_scene,
     },
     model::{Model, Options},
@@ -41,6 +41,7 @@ Examples:
   host-tools render model.obj --hidden-lines --edges 30  The edges that can be seen
   host-tools render model.obj --painter             Without a depth buffer
   host-tools render model.obj --clip 0,0,-1,0 --clip 1,0,0,0.5  What two planes leave
+  host-tools render model.obj --stretch 1,0.5,-1    Half as high, and mirrored
   host-tools render model.obj --wireframe-over --line-color ffffff --line-width 2
   host-tools render model.obj --frames 60           A turntable, as an animated PNG
   host-tools render model.obj -o model.gif --fps 15  The same as an animated GIF
@@ -187,6 +188,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let frames = arguments.view.frames.unwrap_or(format.frames());
     let timing = Timing::new(frames, arguments.fps)?;
     arguments.view.check()?;
+    let view = arguments.view.view(Shading::default());
+    ensure!(
+        arguments.models.len() == 1 || view.form == Form::AsModelled,
+        "--stretch and --matrix are for a picture of one model"
+    );
     let models = arguments.load()?;
     if !is_standard {
         let mut inputs: Vec<_> = models.iter().flat_map(output::inputs).collect();
@@ -202,7 +208,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
             shading: arguments.view.view(Shading::of(model)).shading,
         })
         .collect();
-    let view = arguments.view.view(Shading::default());
     let side = arguments.supersample;
     let samples = view.size.map(|pixels| pixels * side);
     ensure!(

@@ -179,12 +179,20 @@ pub(super) fn meaning(model: &Model, outcome: &Outcome, bounds: &Bounds) -> Stri
         text += &format!("\n  The bound of a texture coordinate: {}.", texels.texel_bound);
     }
     if let Some(normals) = arithmetic.normals {
-        if let Some([x, y]) = normals.normal_worst.filter(|_| !normals.are_within()) {
+        if !normals.are_within() {
             let degrees = normals.normal_max_error_degrees;
-            text += &format!("\n  Column {x} of row {y}: its normal is {degrees:.3} degrees off.");
+            text += &match normals.normal_worst {
+                Some([x, y]) => {
+                    format!("\n  Column {x} of row {y}: its normal is {degrees:.3} degrees off.")
+                }
+                None => format!("\n  A normal of the tables is {degrees:.3} degrees off."),
+            };
         }
-        text += "\n  The bound of a normal: half a degree, where it is at least half as long as \
-                 those of the corners. The colour is judged by the pixel's own normal.";
+        text += &format!(
+            "\n  The bound of a normal: {} degrees, where it is at least half as long as those of \
+             the corners. The colour is judged by the core's own normal.",
+            normals.normal_bound_degrees
+        );
     }
     if let Some(blend) = arithmetic.blend {
         if let Some(BlendError { pixel: [x, y], layers, error_steps, bound_steps }) =

@@ -42,6 +42,7 @@
 //!
 //! | step | file | source |
 //! |---|---|---|
+//! | what a matrix makes of a model and its normals | `linear_map.rs` | Turkowski, "Properties of surface-normal transformations", Graphics Gems, 1990 |
 //! | view transform, projection | `camera.rs` | similar triangles |
 //! | levels of lights, highlights | `lights.rs` | Lambert's cosine law; Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
 //! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
@@ -79,6 +80,7 @@ mod footprint;
 mod interpolate;
 mod lights;
 mod line;
+mod linear_map;
 mod mesh;
 mod mipmaps;
 mod picture;
@@ -107,6 +109,7 @@ pub use fog::{Fog, fogged};
 pub use footprint::Footprint;
 pub use lights::{Finish, Lamp, Lights, Sun, Viewer};
 pub use line::Line;
+pub use linear_map::LinearMap;
 pub use mesh::{Corner, Culling, Mesh};
 pub use mipmaps::Mipmaps;
 pub use picture::{Fragment, Picture};

@@ -67,7 +67,9 @@ impl<const N: usize> ClipPlanes<N> {
         Self::new(planes, true)
     }
 
-    /// Of the object: in its model's units, they move with it.
+    /// Of the object: in its model's units, they move with it. A matrix of its own
+    /// ([`Object::shaped`](crate::scene::Object::shaped)) changes them with it: they cut the model
+    /// where they cut it without the matrix.
     #[must_use]
     pub const fn in_object(planes: [Plane; N]) -> Self {
         Self::new(planes, false)

@@ -77,7 +77,7 @@ fn every_fault_is_found() {
         shading: Shading::Gouraud,
         ..FRONT
     };
-    let surface = Surface::of(&model);
+    let surface = Surface::of(&model, false);
     let skins = Skins::new(&model, &surface, skins::of_materials(&model));
     let drawn = shading::draw(&model, &surface, &skins, &view).unwrap();
     let layers = drawn.blended.unwrap();

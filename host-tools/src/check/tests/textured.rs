@@ -51,7 +51,7 @@ fn random_texture(wrap: [Wrap; 2]) -> Mipmaps {
 
 /// Checks a model whose first material has a texture.
 fn checker(model: &Model, texture: Mipmaps) -> Checker<'_> {
-    let surface = Surface::of(model);
+    let surface = Surface::of(model, false);
     let textures = (0..model.materials.len()).map(|i| (i == 0).then(|| texture.clone()));
     Checker { model, skins: Skins::new(model, &surface, textures), surface }
 }

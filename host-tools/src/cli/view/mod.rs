@@ -4,6 +4,7 @@ mod blending;
 mod camera;
 mod display;
 mod fog;
+mod form;
 mod lights;
 mod names;
 mod planes;
@@ -20,7 +21,7 @@ use host_tools::{
 
 use self::{
     blending::BlendingOptions, camera::CameraOptions, display::DisplayOptions, fog::FogOptions,
-    lights::LightOptions, planes::PlaneOptions, surface::SurfaceOptions,
+    form::FormOptions, lights::LightOptions, planes::PlaneOptions, surface::SurfaceOptions,
 };
 pub(super) use self::{
     display::{MAX_SIZE, size},
@@ -44,6 +45,8 @@ pub(super) struct ViewOptions {
     fog: FogOptions,
     #[command(flatten)]
     camera: CameraOptions,
+    #[command(flatten)]
+    form: FormOptions,
     #[command(flatten)]
     planes: PlaneOptions,
     #[command(flatten)]
@@ -72,7 +75,7 @@ impl ViewOptions {
         let view = self.display.over(View::default());
         let view = self.surface.over(view, otherwise);
         let view = self.blending.over(view);
-        let view = self.planes.over(self.fog.over(view));
+        let view = self.form.over(self.planes.over(self.fog.over(view)));
         self.lights.over(self.camera.over(view))
     }
 

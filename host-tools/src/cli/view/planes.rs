@@ -11,7 +11,8 @@ use super::names::{choice, name, numbers};
 #[derive(Clone, Debug, Args)]
 pub(super) struct PlaneOptions {
     /// Cut the model at a plane: points with X x + Y y + Z z + D >= 0 are kept; up to 6 of them. A
-    /// model is fitted into a sphere of radius 1. Faces seen from behind are not drawn
+    /// model is fitted into a sphere of radius 1, before --stretch and --matrix. Faces seen from
+    /// behind are not drawn
     #[arg(long, value_name = "X,Y,Z,D", value_parser = half_space, allow_hyphen_values = true)]
     clip: Vec<HalfSpace>,
     /// Whether planes turn with the model or stay in the world, where the camera looks at the

@@ -2,8 +2,8 @@
 
 use host_tools::{
     check::{
-        Blending, Colors, Correction, DepthFormat, FadeAlong, Filter, FogBy, Lamp, PlaneSpace,
-        Projection, Shading, Sun, View,
+        Blending, Colors, Correction, DepthFormat, FadeAlong, Filter, FogBy, Form, Lamp,
+        PlaneSpace, Projection, Shading, Sun, View,
     },
     model::Model,
     reference::{Blend, HalfSpace},
@@ -35,6 +35,8 @@ pub(in crate::cli) struct Settings {
     fog: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     fog_by: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    matrix: Option<[[f64; 3]; 3]>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     clip: Vec<[f64; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -91,6 +93,10 @@ impl Settings {
             fade: name(&FadeAlong::NAMES, view.fade),
             fog: view.fog.map(|fog| law(fog.law)),
             fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
+            matrix: match view.form {
+                Form::AsModelled => None,
+                Form::Shaped(map) => Some(map.rows),
+            },
             clip_in: (!clip.is_empty()).then(|| name(&PlaneSpace::NAMES, view.planes.space)),
             clip,
             distance: view.look.is_none().then_some(view.distance),
@@ -132,6 +138,7 @@ impl Settings {
             (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
             _ => String::new(),
         };
+        let form = if self.matrix.is_some() { ", shaped by a matrix" } else { "" };
         let planes = match (self.clip.len(), self.clip_in) {
             (count, Some(space)) => format!(", clip planes: {count} of the {space}"),
             _ => String::new(),
@@ -141,7 +148,7 @@ impl Settings {
         let colors =
             self.colors.map_or_else(String::new, |name| format!(", {name} colours{dither}"));
         format!(
-            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{fog}{blend}{planes}{colors}",
+            "{width}x{height} pixels, {} sub-pixel bits, {} depth, {} shading{textures}{form}{fog}{blend}{planes}{colors}",
             self.subpixel, self.depth, self.shading
         )
     }

@@ -4,10 +4,10 @@ use clap::Parser;
 use host_tools::{
     check::{
         BACKGROUND, Blending, Colors, Correction, DepthFormat, Display, FadeAlong, Filter, Fog,
-        FogBy, Lamp, Look, Matrix, Place, PlaneSpace, Projection, Subpixel, Sun, ViewLights,
+        FogBy, Form, Lamp, Look, Matrix, Place, PlaneSpace, Projection, Subpixel, Sun, ViewLights,
         ViewPlanes,
     },
-    reference::{self, Blend, HalfSpace},
+    reference::{self, Blend, HalfSpace, LinearMap},
 };
 
 use super::*;
@@ -34,12 +34,16 @@ fn no_options_give_the_library_s_defaults() {
 fn every_option_arrives() {
     let line = "--size 7x9 --subpixel 4 --depth u32 --shading flat --perspective \
                 every-16 --filter trilinear --fog linear:1.5:9 --fog-by vertex --blend screen --opacity 0.25 --fade z --distance 4 --orthographic 2.5 --near 1 --far 9 --yaw -1 --pitch 2 --roll 3 \
-                --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --ambient 0.375 --colors gray2 --dither 4 --clip 0,-1,0.5,0.25 --clip -3,0,0,-1 --clip-in world";
+                --crease 10 --frames 5 --light -1,2,3 --light 0,-1,.5,0.25 --lamp -1,0,2,1.5 --ambient 0.375 --colors gray2 --dither 4 --clip 0,-1,0.5,0.25 --clip -3,0,0,-1 --clip-in world \
+                --stretch 1,-2,.5";
     let options = parse(&line.split(' ').collect::<Vec<_>>()).unwrap();
     let expected = View {
         size: [7, 9],
         distance: 4.0,
         look: None,
+        form: Form::Shaped(LinearMap {
+            rows: [[1.0, 0.0, 0.0], [0.0, -2.0, 0.0], [0.0, 0.0, 0.5]],
+        }),
         place: Place::default(),
         projection: Projection::Orthographic { height: 2.5 },
         near: 1.0,
