@@ -1,4 +1,5 @@
-//! `--stretch` and `--matrix`: models that are not as they were modelled, drawn and judged.
+//! `--stretch`, `--matrix` and `--between`: models that are not as they were modelled, drawn and
+//! judged.
 
 use std::{
     fs,
@@ -160,4 +161,92 @@ fn what_cannot_be_shaped_is_refused() {
     refuse(path, "check a.obj --stretch 1,0.00048828125,1", "stretches 2048 times more");
     refuse(path, "render a.obj a.obj@1,0,0 --stretch 1,2,3", "one model");
     succeed(path, "render a.obj --stretch 1,0,1 -o flat.png");
+}
+
+/// The wedge, bent and larger.
+fn bent_wedge() -> String {
+    WEDGE.replace("v 0.3 1 -1\n", "v 0.6 1.4 -0.2\n").replace("v 0.1 0.2 1.1\n", "v -0.4 0.7 1.3\n")
+}
+
+fn two_shapes() -> TempDir {
+    directory_with(&[("a.obj", WEDGE.to_owned()), ("b.obj", bent_wedge())])
+}
+
+#[test]
+fn models_between_shapes_are_judged_in_every_mode() {
+    let directory = two_shapes();
+    let path = directory.path();
+    for mode in [
+        "--between 0.5 --shading flat",
+        "--between 0..1 --shading gouraud --frames 6",
+        "--between 0.3 --shading phong --lamp 0.5,1,2,1",
+        "--between 0.7 --shading matcap --orthographic 2.4",
+        "--between 0.25 --blend over --opacity 0.5 --fade y",
+        "--between 0.6 --fog linear:2:4",
+        "--between 0.6 --clip 0,0.3,-1,0.1",
+        "--between 0.4 --edges 30",
+    ] {
+        let found = check(path, &format!("a.obj b.obj {mode}"));
+        assert!(found["settings"]["between"][1].is_f64(), "{found}");
+        let pixels = found["arithmetic"]["pixels"].as_u64().unwrap();
+        let judged = found["places"]["judged"].as_u64().unwrap();
+        assert!(pixels > 3_000 && judged > 60_000, "{mode}: {pixels} {judged}");
+        let degrees = found["arithmetic"]["normal_max_error_degrees"].as_f64().unwrap();
+        assert!(degrees <= 0.5, "{mode}: {degrees}");
+    }
+    let told = succeed(path, "check a.obj b.obj --between 0.5");
+    assert!(told.contains("at 0.5 between two shapes"), "{told}");
+}
+
+#[test]
+fn highlights_between_shapes_are_judged() {
+    let directory = directory_with(&[
+        ("a.obj", shiny(WEDGE)),
+        ("b.obj", shiny(&bent_wedge())),
+        ("m.mtl", SHINY.to_owned()),
+    ]);
+    check(directory.path(), &format!("a.obj b.obj --between 0.5 {BESIDE}"));
+}
+
+#[test]
+fn a_motion_begins_and_ends_at_the_shapes() {
+    let directory = two_shapes();
+    let path = directory.path();
+    // Both in the units of their files, so that they have one size.
+    let rest = "--keep-units --distance 6 --size 80x60 --shading unlit";
+    let shape = |t: &str| picture(path, &format!("render a.obj b.obj --between {t} {rest}"));
+    let alone = |name: &str| picture(path, &format!("render {name} {rest}"));
+    let differ = |a: &[u8], b: &[u8]| a.iter().zip(b).filter(|(a, b)| a != b).count();
+    // Quanta of two shapes are larger than those of one: a pixel at an edge may differ.
+    assert!(differ(&shape("0"), &alone("a.obj")) <= 9);
+    assert!(differ(&shape("1"), &alone("b.obj")) <= 9);
+    let [to_first, to_second] = ["a.obj", "b.obj"].map(|name| differ(&shape("0.5"), &alone(name)));
+    assert!(to_first > 100 && to_second > 100, "{to_first} {to_second}");
+    // Frame 2 of 8 is a quarter of a turn on, and halfway to the second shape.
+    let line = format!("render a.obj b.obj --between 0..1 --frames 8 -o turn.png {rest}");
+    assert!(succeed(path, &line).contains("8 frames"));
+    let file = std::io::BufReader::new(fs::File::open(path.join("turn.png")).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut frame = vec![0; reader.output_buffer_size().unwrap()];
+    for _ in 0..3 {
+        reader.next_frame(&mut frame).unwrap();
+    }
+    let turned = "render a.obj b.obj --between 0.5 --yaw 120";
+    assert_eq!(frame, picture(path, &format!("{turned} {rest}")));
+}
+
+#[test]
+fn what_has_no_two_shapes_is_refused() {
+    let directory = two_shapes();
+    let path = directory.path();
+    fs::write(path.join("c.obj"), WEDGE.replace("f 3 1 4", "f 3 4 1")).unwrap();
+    refuse(path, "check a.obj --between 0.5", "name the files of both");
+    refuse(path, "check a.obj b.obj", "--between");
+    refuse(path, "check a.obj b.obj --between 1.5", "from 0 to 1");
+    refuse(path, "check a.obj b.obj --between 0..1", "--frames");
+    refuse(path, "check a.obj c.obj --between 0.5", "corner");
+    refuse(path, "check a.obj b.obj --between 0.5 --stretch 1,2,3", "cannot be used with");
+    refuse(path, "render a.obj b.obj a.obj --between 0.5", "name the files of both");
+    refuse(path, "render a.obj b.obj@1,0,0 --between 0.5", "behind the first file");
+    refuse(path, "check a.obj - --between 0.5", "standard input");
 }

@@ -1,6 +1,7 @@
 //! The colours that each face of the file may have, for the judge of places.
 
 use super::{
+    Form,
     light_levels::corner_levels,
     lights::total,
     matcap,
@@ -72,7 +73,7 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
     let lights = view.lights.reference();
     let faces = &model.exact.faces;
     // By how much the level of a normal in 127ths may be off.
-    let normal = total(&lights).min(1.0) * view.form.level_error();
+    let normal = total(&lights).min(1.0) * view.form.level_error(model);
     let any = [lights.ambient - normal, 1.0];
     let within = |levels: &mut dyn Iterator<Item = f64>| {
         let [low, high] = levels
@@ -84,7 +85,10 @@ fn levels(model: &Model, surface: &Surface, view: &View) -> Vec<[f64; 2]> {
             vec![[1.0, 1.0]; faces.faces.len()]
         }
         // Where its middle lies, depends on how a face is cut.
-        Shading::Flat | Shading::TexturedFlat if view.lights.are_near() => {
+        // Between shapes, the blend of two normals depends on it too.
+        Shading::Flat | Shading::TexturedFlat
+            if view.lights.are_near() || matches!(view.form, Form::Between { .. }) =>
+        {
             vec![any; faces.faces.len()]
         }
         Shading::Flat | Shading::TexturedFlat => (0..faces.faces.len())

@@ -5,6 +5,7 @@ use std::borrow::Cow;
 
 use rasterizer::{
     geometry::{self, ClipAll, CullBack},
+    mesh::{Keyframes, Progress},
     numbers::{Matrix, Scalar},
     output::Replace,
     raster::NoBias,
@@ -13,13 +14,12 @@ use rasterizer::{
 };
 
 use super::{
-    quantised_positions,
     stand::{MOST, STEP},
     view::{View, ViewError, checked},
 };
 use crate::{
-    model::{Exact, Faces, Model},
-    reference::{HalfSpace, LinearMap},
+    model::{Exact, Faces, Model, Shape},
+    reference::{Between, HalfSpace, LinearMap, Plane},
 };
 
 /// What a model goes through before it is placed.
@@ -30,11 +30,22 @@ pub enum Form {
     AsModelled,
     /// A matrix stretches, mirrors or shears it.
     Shaped(LinearMap),
+    /// It is between its first shape and its second one.
+    Between {
+        /// How far on the way it is, from 0 to 1.
+        progress: f64,
+        /// How far it is in the middle of a turn: it goes there and back
+        /// ([`View::turned`](super::View::turned)).
+        halfway: f64,
+    },
 }
 
 /// The most by which a matrix may stretch more in one direction than in another: beyond that the
 /// core promises nothing of normals.
 const MOST_UNEVEN: f64 = 1_000.0;
+
+/// The step of the way between two shapes.
+const PROGRESS: f64 = 1.0 / 32_768.0;
 
 /// An object of the core in a form: with back faces culled, and with opaque pixels.
 pub(super) type Formed<'a, Sh, G, L = ClipAll> =
@@ -60,9 +71,17 @@ pub(super) fn in_form<Sh: Shader, U: UseObject<Sh>>(
     user: U,
 ) -> Result<U::Done, ViewError> {
     let mesh = model.mesh();
-    match view.form {
+    match view.form.rounded() {
         Form::AsModelled => user.use_object(Object::new(&mesh, shader)),
         Form::Shaped(map) => user.use_object(Object::new(&mesh, shader).shaped(&matrix(&map)?)),
+        Form::Between { progress, .. } => {
+            let further = model.further_shapes();
+            let progress =
+                Progress::from_num(checked("the way between shapes", progress, 0.0, 1.0)?);
+            let keyframes = Keyframes::new(&mesh, &further).ok();
+            let tween = keyframes.and_then(|keyframes| keyframes.between(0, 1, progress));
+            user.use_object(Object::morphed(&tween.ok_or(ViewError::OneShape)?, shader))
+        }
     }
 }
 
@@ -86,7 +105,19 @@ impl Form {
         match self {
             Self::AsModelled => self,
             Self::Shaped(map) => Self::Shaped(rounded(&map)),
+            Self::Between { progress, halfway } => {
+                let [progress, halfway] =
+                    [progress, halfway].map(|part| (part / PROGRESS).round() * PROGRESS);
+                Self::Between { progress, halfway }
+            }
         }
+    }
+
+    /// The form at a part of a turn, from 0 to 1.
+    pub(super) fn turned(self, part: f64) -> Self {
+        let Self::Between { progress, halfway } = self else { return self };
+        let there = 1.0 - (1.0 - 2.0 * part).abs();
+        Self::Between { progress: progress + there * (halfway - progress), halfway }
     }
 
     /// Whether it makes a left hand of a right one.
@@ -102,6 +133,8 @@ impl Form {
         match self.rounded() {
             Self::AsModelled => axes,
             Self::Shaped(map) => axes.map(|axis| map.point(axis)),
+            // Each shape is rounded, and so is what lies between them.
+            Self::Between { .. } => axes.map(|axis| axis.map(|c| 2.0 * c)),
         }
     }
 
@@ -109,55 +142,97 @@ impl Form {
     ///
     /// A normal of the tables lies in the unit cube about the exact one in 127ths, whose diagonal
     /// is the root of 3. A matrix turns it away by that times its unevenness at most, and rounds to
-    /// 127ths again.
-    pub(super) fn level_error(self) -> f64 {
+    /// 127ths again. So does a blend, whose error is the larger the shorter it is.
+    pub(super) fn level_error(self, model: &Model) -> f64 {
         let rounding = 1.733 / 127.0;
         match self.rounded() {
             Self::AsModelled => rounding,
             Self::Shaped(map) => rounding * (1.0 + map.unevenness()),
+            Self::Between { progress, .. } => {
+                let between = Between { progress };
+                let to = model.keyframes.first().map_or(&[][..], |shape| &shape.vertex_normals);
+                let least = (model.vertex_normals.iter().zip(to))
+                    .map(|(&from, &to)| between.steadiness(of_127ths(from), of_127ths(to)))
+                    .fold(1.0, f64::min);
+                (rounding * (1.0 + 1.0 / least)).min(1.0)
+            }
+        }
+    }
+
+    /// How far a normal that the core makes of the tables' may be off, in degrees.
+    pub(super) const fn normal_bound_degrees(self) -> f64 {
+        match self {
+            Self::AsModelled => 0.0,
+            Self::Shaped(_) => 0.5,
+            Self::Between { .. } => 0.4,
         }
     }
 
     /// What it makes of a half space of the model's units.
     pub(super) fn half_space(self, side: HalfSpace) -> HalfSpace {
         match self.rounded() {
-            Self::AsModelled => side,
+            Self::AsModelled | Self::Between { .. } => side,
             Self::Shaped(map) => HalfSpace { normal: map.plane_normal(side.normal), ..side },
         }
     }
 
     /// The exact places, in the form, of the vertices of the tables.
     pub(super) fn table_positions(self, model: &Model) -> Vec<[f64; 3]> {
-        let positions = quantised_positions(model);
+        let quanta = model.positions.iter().map(|p| p.map(f64::from));
         match self.rounded() {
-            Self::AsModelled => positions,
-            Self::Shaped(map) => positions.into_iter().map(|p| map.point(p)).collect(),
+            Self::AsModelled => quanta.map(|p| place(model, p)).collect(),
+            Self::Shaped(map) => quanta.map(|p| map.point(place(model, p))).collect(),
+            // By definition in whole quanta.
+            Self::Between { progress, .. } => {
+                let between = Between { progress };
+                let to = model.keyframes.first().map_or(&[][..], |shape| &shape.positions);
+                let pairs = quanta.zip(to.iter().map(|p| p.map(f64::from)));
+                pairs.map(|(from, to)| place(model, between.whole(from, to))).collect()
+            }
         }
     }
 
-    /// Where the middle of the box of the tables lies in the form.
+    /// Where the middle of the box of the tables lies in the form: between shapes, of that of all.
     pub(super) fn middle(self, model: &Model) -> [f64; 3] {
-        let bounds = *model.mesh().bounds();
-        let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
-        let offset = model.offset.to_bits().map(|c| f64::from(c) * STEP);
-        let middle = [0, 1, 2].map(|i| {
-            let ends = f64::from(bounds.min[i]) + f64::from(bounds.max[i]);
-            offset[i] + step * ends / 2.0
+        let of_all = self.shapes(model).flatten();
+        let ends = of_all.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], p| {
+            let p = p.map(f64::from);
+            [[0, 1, 2].map(|i| low[i].min(p[i])), [0, 1, 2].map(|i| high[i].max(p[i]))]
         });
+        let middle = place(model, [0, 1, 2].map(|i| (ends[0][i] + ends[1][i]) / 2.0));
         match self.rounded() {
-            Self::AsModelled => middle,
             Self::Shaped(map) => map.point(middle),
+            _ => middle,
         }
+    }
+
+    /// The positions of the shapes that the core's box is about, in quanta.
+    pub(super) fn shapes(self, model: &Model) -> impl Iterator<Item = &[[i16; 3]]> {
+        let further: &[Shape] = match self {
+            Self::Between { .. } => &model.keyframes,
+            _ => &[],
+        };
+        std::iter::once(&model.positions[..])
+            .chain(further.iter().map(|shape| &shape.positions[..]))
     }
 
     /// The exact normals, in the form, that follow from those of the tables' vertices and
     /// triangles.
     pub(super) fn table_normals(self, model: &Model) -> [Vec<[f64; 3]>; 2] {
-        [&model.vertex_normals, &model.face_normals].map(|normals| {
-            let exact = |n: &[i8; 3]| n.map(|c| f64::from(c) / 127.0);
-            match self.rounded() {
-                Self::AsModelled => normals.iter().map(exact).collect(),
-                Self::Shaped(map) => normals.iter().map(|n| map.normal(exact(n))).collect(),
+        let to = model.keyframes.first();
+        let both = [
+            (&model.vertex_normals, to.map_or(&[][..], |shape| &shape.vertex_normals)),
+            (&model.face_normals, to.map_or(&[][..], |shape| &shape.face_normals)),
+        ];
+        both.map(|(normals, to)| match self.rounded() {
+            Self::AsModelled => normals.iter().map(|&n| of_127ths(n)).collect(),
+            Self::Shaped(map) => normals.iter().map(|&n| map.normal(of_127ths(n))).collect(),
+            // In whole numbers opposite ones meet exactly.
+            Self::Between { progress, .. } => {
+                let blend = |(from, to): (&[i8; 3], &[i8; 3])| {
+                    Between { progress }.normal(from.map(f64::from), to.map(f64::from))
+                };
+                normals.iter().zip(to).map(blend).collect()
             }
         })
     }
@@ -165,27 +240,85 @@ impl Form {
     /// The model with the numbers of its file as if it were made in this form. Its tables are as
     /// they are: the core draws it in the form.
     pub(super) fn made(self, model: &Model) -> Result<Cow<'_, Model>, ViewError> {
-        let Self::Shaped(map) = self.rounded() else { return Ok(Cow::Borrowed(model)) };
-        matrix(&map)?;
-        let unevenness = map.unevenness();
-        if unevenness.is_infinite() {
-            return Err(ViewError::Flat);
-        }
-        if unevenness > MOST_UNEVEN {
-            return Err(ViewError::Uneven { unevenness, most: MOST_UNEVEN });
-        }
-        let points = |all: &[[f64; 3]]| all.iter().map(|&p| map.point(p)).collect();
-        let normals = |all: &[[f64; 3]]| all.iter().map(|&n| map.normal(n)).collect();
-        let Exact { positions, vertex_normals, face_normals, faces, .. } = &model.exact;
-        let made = Faces { positions: points(&faces.positions), ..faces.clone() };
-        let exact = Exact {
-            positions: points(positions),
-            vertex_normals: normals(vertex_normals),
-            face_normals: normals(face_normals),
-            faces: if map.determinant() < 0.0 { turned_over(made) } else { made },
-            ..model.exact.clone()
+        let exact = match self.rounded() {
+            Self::AsModelled => return Ok(Cow::Borrowed(model)),
+            Self::Shaped(map) => shaped(&model.exact, &map)?,
+            Self::Between { progress, .. } => {
+                let to = model.keyframes.first().ok_or(ViewError::OneShape)?;
+                between(&model.exact, to, Between { progress })
+            }
         };
         Ok(Cow::Owned(Model { exact, ..model.clone() }))
+    }
+
+    /// The normals of the triangles of a surface by the definition of the form, from the model as
+    /// it was modelled; `None` if they are those of the surface itself.
+    pub(super) fn triangle_normals(
+        self,
+        model: &Model,
+        triangles: &[[usize; 3]],
+    ) -> Option<Vec<[f64; 3]>> {
+        let Self::Between { progress, .. } = self.rounded() else { return None };
+        let faces = &model.exact.faces;
+        let to = model.keyframes.first()?;
+        let of = |positions: &[[f64; 3]], triangle: &[usize; 3]| {
+            let corners = triangle.map(|corner| positions[faces.corners[corner] as usize]);
+            Plane::of(&corners).normal().unwrap_or_default()
+        };
+        let blend = |triangle| {
+            let [from, to] = [&faces.positions, &to.face_positions].map(|all| of(all, triangle));
+            Between { progress }.normal(from, to)
+        };
+        Some(triangles.iter().map(blend).collect())
+    }
+}
+
+/// The place in model units of a position in quanta.
+fn place(model: &Model, quanta: [f64; 3]) -> [f64; 3] {
+    let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
+    let offset = model.offset.to_bits().map(|c| f64::from(c) * STEP);
+    [0, 1, 2].map(|i| offset[i] + step * quanta[i])
+}
+
+fn of_127ths(n: [i8; 3]) -> [f64; 3] {
+    n.map(|c| f64::from(c) / 127.0)
+}
+
+/// The numbers of a model that is made in a shape.
+fn shaped(exact: &Exact, map: &LinearMap) -> Result<Exact, ViewError> {
+    matrix(map)?;
+    let unevenness = map.unevenness();
+    if unevenness.is_infinite() {
+        return Err(ViewError::Flat);
+    }
+    if unevenness > MOST_UNEVEN {
+        return Err(ViewError::Uneven { unevenness, most: MOST_UNEVEN });
+    }
+    let points = |all: &[[f64; 3]]| all.iter().map(|&p| map.point(p)).collect();
+    let normals = |all: &[[f64; 3]]| all.iter().map(|&n| map.normal(n)).collect();
+    let faces = Faces { positions: points(&exact.faces.positions), ..exact.faces.clone() };
+    Ok(Exact {
+        positions: points(&exact.positions),
+        vertex_normals: normals(&exact.vertex_normals),
+        face_normals: normals(&exact.face_normals),
+        faces: if map.determinant() < 0.0 { turned_over(faces) } else { faces },
+        ..exact.clone()
+    })
+}
+
+/// The numbers of a model on the way to another shape.
+fn between(exact: &Exact, to: &Shape, between: Between) -> Exact {
+    type All = [[f64; 3]];
+    let pairs = |from: &All, to: &All, blend: fn(&Between, [f64; 3], [f64; 3]) -> [f64; 3]| {
+        from.iter().zip(to).map(|(&from, &to)| blend(&between, from, to)).collect()
+    };
+    let positions = pairs(&exact.faces.positions, &to.face_positions, Between::point);
+    Exact {
+        positions: pairs(&exact.positions, &to.exact_positions, Between::point),
+        vertex_normals: pairs(&exact.vertex_normals, &to.exact_vertex_normals, Between::normal),
+        face_normals: pairs(&exact.face_normals, &to.exact_face_normals, Between::normal),
+        faces: Faces { positions, ..exact.faces.clone() },
+        ..exact.clone()
     }
 }
 

@@ -33,7 +33,7 @@ pub(super) fn flat_levels(
         lights.diffuse(mean(corners.map(|vertex| positions[vertex])), normal)
     });
     let mesh = surface.mesh(model, &view.rounded());
-    let file_normals = view.pose_directions(&surface.triangle_normals(model));
+    let file_normals = view.pose_directions(&surface.normals);
     let file_levels = mesh.triangles.iter().zip(file_normals).map(|(corners, normal)| {
         lights.diffuse(mean(corners.map(|vertex| mesh.positions[vertex])), normal)
     });

@@ -174,7 +174,14 @@ impl<'a> Checker<'a> {
     pub fn check(&self, view: &View) -> Result<Checked, ViewError> {
         match view.form.made(self.model)? {
             Cow::Borrowed(_) => self.check_made(view),
-            Cow::Owned(made) => Checker::of(&made, view.form.is_mirrored()).check_made(view),
+            Cow::Owned(made) => {
+                let mut checker = Checker::of(&made, view.form.is_mirrored());
+                let surface = &mut checker.surface;
+                if let Some(normals) = view.form.triangle_normals(self.model, &surface.triangles) {
+                    surface.normals = normals;
+                }
+                checker.check_made(view)
+            }
         }
     }
 
@@ -185,7 +192,7 @@ impl<'a> Checker<'a> {
         let mut checked = self.compare(view, drawn, &colors);
         if view.form != Form::AsModelled {
             let exact = view.form.table_normals(self.model);
-            let errors = Noted::of(self.model, view)?.normal_errors(&exact);
+            let errors = Noted::of(self.model, view)?.normal_errors(&exact, view.form);
             let normals = &mut checked.outcome.arithmetic.normals;
             *normals = Some(normals.map_or(errors, |own| own.or_worse(errors)));
         }
@@ -300,14 +307,6 @@ fn blended(picture: &FixedPicture, colors: &[[u8; 3]]) -> FixedPicture {
     let recolored = |(pixel, &color): (&Pixel, &[u8; 3])| Pixel { color, ..*pixel };
     let pixels = picture.pixels.iter().zip(colors).map(recolored).collect();
     FixedPicture { pixels, ..*picture }
-}
-
-/// The exact values of the positions in the tables.
-fn quantised_positions(model: &Model) -> Vec<[f64; 3]> {
-    let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
-    let offset = model.offset.to_bits().map(|c| f64::from(c) / 65536.0);
-    let place = |p: &[i16; 3]| [0, 1, 2].map(|i| offset[i] + step * f64::from(p[i]));
-    model.positions.iter().map(place).collect()
 }
 
 fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {

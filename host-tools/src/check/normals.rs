@@ -62,19 +62,22 @@ impl NormalErrors {
 
 impl NormalErrors {
     /// Compares normals that the core makes of those of tables with the exact ones.
-    pub(super) fn of_tables(pairs: impl Iterator<Item = ([f64; 3], [f64; 3])>) -> Self {
+    pub(super) fn of_tables(
+        pairs: impl Iterator<Item = ([f64; 3], [f64; 3])>,
+        normal_bound_degrees: f64,
+    ) -> Self {
         let angles = pairs.filter(|(_, exact)| length(*exact) > 0.0).map(|(a, b)| degrees(a, b));
         Self {
             normal_max_error_degrees: angles.fold(0.0, f64::max),
-            normal_bound_degrees: BOUND_DEGREES,
+            normal_bound_degrees,
             normal_worst: None,
         }
     }
 
     /// The worse of these and others.
     pub(super) fn or_worse(self, other: Self) -> Self {
-        let is_worse = other.normal_max_error_degrees > self.normal_max_error_degrees;
-        if is_worse { other } else { self }
+        let part = |errors: &Self| errors.normal_max_error_degrees / errors.normal_bound_degrees;
+        if part(&other) > part(&self) { other } else { self }
     }
 }
 

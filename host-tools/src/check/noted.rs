@@ -15,7 +15,7 @@ use rasterizer::{
 };
 
 use super::{
-    NormalErrors,
+    Form, NormalErrors,
     drawing::{self, Drawing},
     form::{Formed, UseObject, in_form},
     normals,
@@ -56,12 +56,16 @@ impl Noted {
     }
 
     /// How far the normals are off the exact ones.
-    pub(super) fn normal_errors(&self, [vertices, faces]: &[Vec<[f64; 3]>; 2]) -> NormalErrors {
+    pub(super) fn normal_errors(
+        &self,
+        [vertices, faces]: &[Vec<[f64; 3]>; 2],
+        form: Form,
+    ) -> NormalErrors {
         let seen = |n: [i8; 3]| n.map(f64::from);
         let of_vertices = self.vertex_normals.iter().zip(vertices).map(|(&n, &e)| (seen(n), e));
         let of_faces =
             (self.face_normals.iter().zip(faces)).filter_map(|(n, &e)| Some(((*n).map(seen)?, e)));
-        NormalErrors::of_tables(of_vertices.chain(of_faces))
+        NormalErrors::of_tables(of_vertices.chain(of_faces), form.normal_bound_degrees())
     }
 }
 

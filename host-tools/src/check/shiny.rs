@@ -240,12 +240,13 @@ pub(super) fn draw_at_pixels<'a, L: Lighting, V: ViewedFrom>(
 
 /// The length of a unit of a position of 14 bits, and where its zero lies.
 fn position_units(model: &Model, view: &View) -> Result<(f64, [f64; 3]), ViewError> {
-    if view.form != Form::AsModelled {
+    if matches!(view.form, Form::Shaped(_)) {
         // The positions that the core computes fill 16 bits.
         let Noted { quantum, offset, .. } = Noted::of(model, view)?;
         return Ok((4.0 * quantum, offset));
     }
-    let most = model.positions.as_flattened().iter().map(|c| c ^ (c >> 15)).max().unwrap_or(0);
+    let all = view.form.shapes(model).flat_map(<[_]>::as_flattened);
+    let most = all.map(|c| c ^ (c >> 15)).max().unwrap_or(0);
     let spare = most.leading_zeros() as i32 - 1;
     let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
     Ok((2f64.powi(2 - spare) * step, model.offset.to_bits().map(|c| f64::from(c) / 65_536.0)))

@@ -18,6 +18,8 @@ pub(super) struct Surface {
     pub(super) is_simple: Vec<bool>,
     /// Triangles, by three numbers of corners.
     pub(super) triangles: Vec<[usize; 3]>,
+    /// Their normals, of length 1, which light them; zero for those without area.
+    pub(super) normals: Vec<[f64; 3]>,
     /// The face of each triangle.
     pub(super) faces: Vec<usize>,
     /// The sides of all faces, each once.
@@ -77,6 +79,10 @@ impl Surface {
             }
             surface.planes.push(plane);
         }
+        let place = |corner: usize| exact.positions[exact.corners[corner] as usize];
+        let normal =
+            |triangle: &[usize; 3]| Plane::of(&triangle.map(place)).normal().unwrap_or_default();
+        surface.normals = surface.triangles.iter().map(normal).collect();
         surface
     }
 }
@@ -88,15 +94,6 @@ impl Surface {
         let posed = view.pose_points(&faces.positions);
         let positions = faces.corners.iter().map(|&position| posed[position as usize]).collect();
         Mesh { positions, triangles: self.triangles.clone() }
-    }
-
-    /// The unit normals of the triangles.
-    pub(super) fn triangle_normals(&self, model: &Model) -> Vec<[f64; 3]> {
-        let faces = &model.exact.faces;
-        let place = |corner: usize| faces.positions[faces.corners[corner] as usize];
-        let normal =
-            |triangle: &[usize; 3]| Plane::of(&triangle.map(place)).normal().unwrap_or_default();
-        self.triangles.iter().map(normal).collect()
     }
 
     /// The unit normals of all triangles that a face might be cut into; `None` if these can be any.

@@ -3,6 +3,7 @@
 
 use std::fs;
 
+mod between;
 mod blending;
 mod colored;
 mod display;

@@ -168,6 +168,9 @@ pub enum ViewError {
         /// Where it ends.
         end: f64,
     },
+    /// The model has one shape alone, so nothing is between two.
+    #[error("the model has one shape: a second file of it has another")]
+    OneShape,
     /// The matrix has no inverse, so no normals follow from it.
     #[error("the matrix flattens the model: `render` draws that, but it is not judged")]
     Flat,
@@ -192,13 +195,11 @@ pub enum ViewError {
 
 impl View {
     /// Returns the view with the model turned further about y: step `frame` of `frames` in a full
-    /// turn.
+    /// turn. A model between two shapes goes to the one of the middle of the turn and back.
     #[must_use]
     pub fn turned(self, frame: u32, frames: u32) -> Self {
-        Self {
-            yaw_degrees: self.yaw_degrees + 360.0 * f64::from(frame) / f64::from(frames),
-            ..self
-        }
+        let part = f64::from(frame) / f64::from(frames);
+        Self { yaw_degrees: self.yaw_degrees + 360.0 * part, form: self.form.turned(part), ..self }
     }
 
     /// The view rounded to the fixed-point numbers of the core.

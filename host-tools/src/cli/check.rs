@@ -41,6 +41,7 @@ Examples:
   host-tools check model.obj --edges 30
   host-tools check model.obj --clip 0,0,-1,0.25 --clip-in world
   host-tools check model.obj --matrix=1,0.5,0,0,1,0,0,0,-2
+  host-tools check up.obj down.obj --between 0..1 --frames 12
 
 What is judged:
   Arithmetic    The picture against exact arithmetic on the core's own vertices, and each vertex
@@ -57,7 +58,9 @@ What is judged:
                 and their blended colour against f64: 1/2 step of rounding for each layer, times
                 what later ones let pass.
                 With --stretch or --matrix, each normal that the core makes of one of the tables
-                against the inverse transpose times it: within half a degree.
+                against the inverse transpose times it: within half a degree. With --between,
+                against the blend of both shapes' normals: within 0.4 degrees. A position is that
+                blend too, rounded to a quantum; end to end a vertex may be off by one quantum.
   End to end    Against the faces of the file, which the reference cuts into triangles by itself.
                 Each vertex may be off by half a quantum more. Each pixel that lies farther than
                 that from every edge must be covered, or free, and show the right face; so must be
@@ -82,6 +85,10 @@ bad input.";
 pub(super) struct Arguments {
     /// The OBJ file; - for the standard input, whose libraries lie in this directory
     model: PathBuf,
+    /// The same model in another shape, for --between: an OBJ file that differs in positions and
+    /// normals alone
+    #[arg(value_name = "SHAPE", requires = "between")]
+    shape: Option<PathBuf>,
     /// Directory for fixed.png, reference.png, difference.png and, with --colors, display.png
     /// [default: target/check/NAME, or NAME-check without a directory target]
     #[arg(long, value_name = "DIR")]
@@ -170,12 +177,15 @@ struct Json {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let (path, frames) = (&arguments.model, arguments.view.frames.unwrap_or(1));
-    arguments.view.check()?;
+    arguments.view.check(1 + usize::from(arguments.shape.is_some()), frames)?;
     if let Some(directory) = &arguments.pictures {
         allow_directory(directory)?;
     }
     let conversion = Options { edges_degrees: arguments.edges, ..arguments.view.conversion() };
-    let model = convert::load(path, &conversion)?;
+    let model = match &arguments.shape {
+        None => convert::load(path, &conversion)?,
+        Some(shape) => convert::load_shapes(path, std::slice::from_ref(shape), &conversion)?,
+    };
     let view = arguments.view.view(Shading::of(&model));
     let lines = judged_lines(path, &model, &view, arguments)?;
     if model.report.triangles == 0 {

@@ -162,7 +162,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let model = if arguments.shapes.is_empty() {
         load(&arguments.model, &arguments.options())?
     } else {
-        load_shapes(arguments)?
+        load_shapes(&arguments.model, &arguments.shapes, &arguments.options())?
     };
     if is_standard {
         return Ok(emit::source(&model).into());
@@ -242,14 +242,14 @@ pub(super) fn load(path: &Path, options: &Options) -> Result<Model> {
 }
 
 /// Loads a model in several shapes and prints its warnings.
-fn load_shapes(arguments: &Arguments) -> Result<Model> {
-    let (first, further) = (&arguments.model, &arguments.shapes);
-    if std::iter::once(first).chain(further).any(|path| output::is_standard(path)) {
+pub(super) fn load_shapes(first: &Path, further: &[PathBuf], options: &Options) -> Result<Model> {
+    let mut all = std::iter::once(first).chain(further.iter().map(PathBuf::as_path));
+    if all.any(output::is_standard) {
         bail!("several shapes cannot be read from the standard input: name their files");
     }
     let model = {
         let _progress = Progress::over(1, "reading the shapes");
-        Model::load_keyframes(first, further, &arguments.options())?
+        Model::load_keyframes(first, further, options)?
     };
     warn(&model);
     Ok(model)

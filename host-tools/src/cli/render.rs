@@ -10,7 +10,7 @@ use clap::{
 use host_tools::{
     check::{
         self, BACKGROUND, Colors, Display, Edges, FixedPicture, Fog, Form, LineOptions, Matrix,
-        SceneModel, Shading, View, ViewError, render_scene,
+        Place, SceneModel, Shading, View, ViewError, render_scene,
     },
     model::{Model, Options},
 };
@@ -42,6 +42,8 @@ Examples:
   host-tools render model.obj --painter             Without a depth buffer
   host-tools render model.obj --clip 0,0,-1,0 --clip 1,0,0,0.5  What two planes leave
   host-tools render model.obj --stretch 1,0.5,-1    Half as high, and mirrored
+  host-tools render up.obj down.obj --between 0.5   Halfway from one shape to another
+  host-tools render up.obj down.obj --between 0..1 -o flap.gif  There and back, turning
   host-tools render model.obj --wireframe-over --line-color ffffff --line-width 2
   host-tools render model.obj --frames 60           A turntable, as an animated PNG
   host-tools render model.obj -o model.gif --fps 15  The same as an animated GIF
@@ -169,13 +171,22 @@ impl Arguments {
         }
     }
 
-    /// Loads the models.
-    fn load(&self) -> Result<Vec<Model>> {
+    /// Loads the models; between shapes, both files are one.
+    fn load(&self, view: &View) -> Result<Vec<Model>> {
         let standard = self.models.iter().filter(|placed| output::is_standard(&placed.path));
         ensure!(standard.count() <= 1, "the standard input is one model: give - only once");
         let edges_degrees =
             (self.drawn_edges() != Edges::None).then_some(self.edges.unwrap_or(0.0));
         let conversion = Options { edges_degrees, ..self.view.conversion() };
+        if let (Form::Between { .. }, [first, second]) = (view.form, &self.models[..]) {
+            ensure!(
+                second.place == Place::default(),
+                "{}: with --between the place stands behind the first file",
+                second.path.display()
+            );
+            let further = std::slice::from_ref(&second.path);
+            return Ok(vec![convert::load_shapes(&first.path, further, &conversion)?]);
+        }
         self.models.iter().map(|placed| convert::load(&placed.path, &conversion)).collect()
     }
 }
@@ -187,13 +198,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<Done> {
     let format = Format::of(&path).unwrap_or(Format::Png);
     let frames = arguments.view.frames.unwrap_or(format.frames());
     let timing = Timing::new(frames, arguments.fps)?;
-    arguments.view.check()?;
+    arguments.view.check(arguments.models.len(), frames)?;
     let view = arguments.view.view(Shading::default());
-    ensure!(
-        arguments.models.len() == 1 || view.form == Form::AsModelled,
-        "--stretch and --matrix are for a picture of one model"
-    );
-    let models = arguments.load()?;
+    let models = arguments.load(&view)?;
     if !is_standard {
         let mut inputs: Vec<_> = models.iter().flat_map(output::inputs).collect();
         inputs

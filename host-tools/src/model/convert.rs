@@ -178,7 +178,7 @@ impl Model {
         let at = |positions: &[Vector]| -> Vec<Vector> {
             tables.welded.positions.iter().map(|&p| positions[p as usize]).collect()
         };
-        let whole = &shapes[0];
+        let wholes = &shapes;
         let shapes: Vec<Vector> = shapes.iter().flat_map(|shape| at(shape)).collect();
         let original: Vec<Vector> = (std::iter::once(&polygons).chain(&further))
             .flat_map(|polygons| at(&polygons.positions))
@@ -194,7 +194,7 @@ impl Model {
                 &polygons,
                 &ranks,
                 rings,
-                whole,
+                &wholes[0],
                 &fitted,
                 &checked.face_lines,
                 &tables.welded.positions,
@@ -207,13 +207,14 @@ impl Model {
             let (vertex, face) = (options.contents.vertex_normals, options.contents.face_normals);
             let first = shapes.chunks(count).skip(number).chain(shapes.chunks(count));
             let normal = |triangle| keyframes::normal_of_face(first.clone(), triangle);
-            let further = if vertex { &tables.welded.further[..] } else { &[] };
+            let numbers = if vertex { &tables.welded.further[..] } else { &[] };
             let faces = if face { &tables.welded.triangles[..] } else { &[] };
             Shape::new(
                 positions[own.clone()].to_vec(),
                 fitted.positions[own].to_vec(),
-                moved_normals.of_file(number - 1, further),
+                moved_normals.of_file(number - 1, numbers),
                 faces.iter().map(normal).collect(),
+                faces::places(&further[number - 1], &wholes[number], &fitted),
             )
         });
         let keyframes: Vec<Shape> = keyframes.collect();

@@ -64,9 +64,7 @@ impl Faces {
                 Face { corners: range, color, material: number, line }
             })
             .collect();
-        let positions = (polygons.positions.iter().zip(shape))
-            .map(|(&original, &shape)| fitted.place(original, shape))
-            .collect();
+        let positions = places(polygons, shape, fitted);
         let vertices = vertices.to_vec();
         Self { positions, corners, faces, vertices, ..Self::default() }
     }
@@ -76,6 +74,12 @@ impl Faces {
     pub fn ring(&self, face: &Face) -> Vec<[f64; 3]> {
         self.corners[face.corners.clone()].iter().map(|&i| self.positions[i as usize]).collect()
     }
+}
+
+/// The positions of a file in model units, not rounded; `shape` has them in a common size.
+pub(super) fn places(polygons: &Polygons, shape: &[Vector], fitted: &Fitted) -> Vec<Vector> {
+    let both = polygons.positions.iter().zip(shape);
+    both.map(|(&original, &shape)| fitted.place(original, shape)).collect()
 }
 
 /// The texture coordinates of corners, v running down; none if the number of those that have any in

@@ -39,6 +39,9 @@ pub struct Shape {
     pub exact_vertex_normals: Vec<[f64; 3]>,
     /// Unit normals of the triangles, before rounding.
     pub exact_face_normals: Vec<[f64; 3]>,
+    /// The positions that the faces of its file use, in the order of
+    /// [`Faces::positions`](super::Faces::positions).
+    pub face_positions: Vec<[f64; 3]>,
 }
 
 impl Shape {
@@ -70,6 +73,7 @@ impl Shape {
         exact_positions: Vec<Vector>,
         exact_vertex_normals: Vec<Vector>,
         exact_face_normals: Vec<Vector>,
+        face_positions: Vec<Vector>,
     ) -> Self {
         let rounded = |normals: &[Vector]| normals.iter().map(|&n| quantize::normal(n)).collect();
         Self {
@@ -79,6 +83,7 @@ impl Shape {
             exact_positions,
             exact_vertex_normals,
             exact_face_normals,
+            face_positions,
         }
     }
 }

@@ -42,6 +42,7 @@
 //!
 //! | step | file | source |
 //! |---|---|---|
+//! | what lies between two shapes of a model | `between.rs` | linear interpolation |
 //! | what a matrix makes of a model and its normals | `linear_map.rs` | Turkowski, "Properties of surface-normal transformations", Graphics Gems, 1990 |
 //! | view transform, projection | `camera.rs` | similar triangles |
 //! | levels of lights, highlights | `lights.rs` | Lambert's cosine law; Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
@@ -67,6 +68,7 @@
 //! | all fragments of a pixel | `picture.rs` | Carpenter, "The A-buffer", SIGGRAPH 1984 |
 //! | the two routes | `scene.rs`, `screen.rs` | |
 
+mod between;
 mod blend;
 mod camera;
 mod chord;
@@ -98,6 +100,7 @@ mod texture;
 mod winding;
 mod wrap;
 
+pub use between::Between;
 pub use blend::{Blend, Layer, combined_alpha};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};

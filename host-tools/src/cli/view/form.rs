@@ -23,12 +23,43 @@ pub(super) struct FormOptions {
         conflicts_with = "stretch"
     )]
     matrix: Option<LinearMap>,
+    /// Show what is between two files of one model in two shapes: 0 is the first, 1 the second. As
+    /// in 0..1, the frames of a turn go from one place to another and back
+    #[arg(
+        long,
+        value_name = "T|T..T",
+        value_parser = between,
+        conflicts_with_all = ["stretch", "matrix"]
+    )]
+    between: Option<Form>,
 }
 
 impl FormOptions {
     pub(super) fn over(&self, view: View) -> View {
-        let form = self.stretch.or(self.matrix).map_or(Form::AsModelled, Form::Shaped);
-        View { form, ..view }
+        let shaped = self.stretch.or(self.matrix).map(Form::Shaped);
+        View { form: shaped.or(self.between).unwrap_or_default(), ..view }
+    }
+
+    /// Refuses what is between shapes that there are not, and a form for several models.
+    pub(super) fn check(&self, files: usize, frames: u32) -> anyhow::Result<()> {
+        let Some(form) = self.between else {
+            anyhow::ensure!(
+                files == 1 || self.stretch.or(self.matrix).is_none(),
+                "--stretch and --matrix are for a picture of one model"
+            );
+            return Ok(());
+        };
+        anyhow::ensure!(
+            files == 2,
+            "--between is for one model in two shapes: name the files of both, as in up.obj down.obj"
+        );
+        let is_moving = matches!(form, Form::Between { progress, halfway } if progress != halfway);
+        anyhow::ensure!(
+            frames > 1 || !is_moving,
+            "--between with two places is a motion: choose how many frames a turn has, as in \
+             --frames 36"
+        );
+        Ok(())
     }
 }
 
@@ -38,6 +69,15 @@ fn stretch(text: &str) -> Result<LinearMap, &'static str> {
         Some(&[x, y, z]) => Ok(LinearMap { rows: [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]] }),
         _ => Err("write three factors up to 32000, as in 1,0.5,-1"),
     }
+}
+
+/// A place between shapes, as in 0.5, or two, as in 0..1.
+fn between(text: &str) -> Result<Form, &'static str> {
+    let (from, to) = text.split_once("..").unwrap_or((text, text));
+    let place = |text: &str| text.parse().ok().filter(|t| (0.0..=1.0).contains(t));
+    let both = place(from).zip(place(to));
+    both.map(|(progress, halfway)| Form::Between { progress, halfway })
+        .ok_or("write a number from 0 to 1, as in 0.5, or two, as in 0..1")
 }
 
 /// Nine entries, row by row.

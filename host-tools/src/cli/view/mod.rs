@@ -79,9 +79,10 @@ impl ViewOptions {
         self.lights.over(self.camera.over(view))
     }
 
-    /// Refuses more lights and planes than a view has.
-    pub(super) fn check(&self) -> anyhow::Result<()> {
+    /// Refuses more lights and planes than a view has, and forms that the models do not have.
+    pub(super) fn check(&self, files: usize, frames: u32) -> anyhow::Result<()> {
         self.lights.check()?;
+        self.form.check(files, frames)?;
         self.planes.check()
     }
 

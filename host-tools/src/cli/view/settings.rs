@@ -37,6 +37,9 @@ pub(in crate::cli) struct Settings {
     fog_by: Option<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     matrix: Option<[[f64; 3]; 3]>,
+    /// The way between two shapes: how far it is, and how far in the middle of a turn.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    between: Option<[f64; 2]>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     clip: Vec<[f64; 4]>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -94,8 +97,12 @@ impl Settings {
             fog: view.fog.map(|fog| law(fog.law)),
             fog_by: view.fog.map(|fog| name(&FogBy::NAMES, fog.by)),
             matrix: match view.form {
-                Form::AsModelled => None,
                 Form::Shaped(map) => Some(map.rows),
+                Form::AsModelled | Form::Between { .. } => None,
+            },
+            between: match view.form {
+                Form::Between { progress, halfway } => Some([progress, halfway]),
+                Form::AsModelled | Form::Shaped(_) => None,
             },
             clip_in: (!clip.is_empty()).then(|| name(&PlaneSpace::NAMES, view.planes.space)),
             clip,
@@ -138,7 +145,12 @@ impl Settings {
             (Some(fog), Some(by)) => format!(", fog {fog} by {by}"),
             _ => String::new(),
         };
-        let form = if self.matrix.is_some() { ", shaped by a matrix" } else { "" };
+        let form = match (self.matrix, self.between) {
+            (Some(_), _) => ", shaped by a matrix".to_owned(),
+            (_, Some([from, to])) if from == to => format!(", at {from} between two shapes"),
+            (_, Some([from, to])) => format!(", from {from} to {to} between two shapes and back"),
+            _ => String::new(),
+        };
         let planes = match (self.clip.len(), self.clip_in) {
             (count, Some(space)) => format!(", clip planes: {count} of the {space}"),
             _ => String::new(),

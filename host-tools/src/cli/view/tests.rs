@@ -155,7 +155,7 @@ fn an_eye_looks_at_models_as_they_are_made() {
 
 #[test]
 fn more_planes_than_six_are_refused() {
-    let of = |count: usize| parse(&vec!["--clip=1,0,0,0"; count]).unwrap().check();
+    let of = |count: usize| parse(&vec!["--clip=1,0,0,0"; count]).unwrap().check(1, 1);
     assert!(of(6).is_ok());
     let error = of(7).unwrap_err().to_string();
     assert!(error.contains("--clip is given 7 times") && error.contains("6"), "{error}");
