@@ -74,7 +74,7 @@ impl Study {
         }
         rejected.sort_by_key(|(candidate, ..)| kind(&candidate.types));
         let decisions = self.decisions(&estimator, chosen);
-        let loads = self.loads(estimator.model(&chosen.types), chosen.rows);
+        let loads = self.loads(estimator.model(&chosen.types), &chosen.types, chosen.rows);
         let cost = costs.of(self.request.core, &chosen.types);
         let cycles = |load: &Load| cost.map_or(0.0, |cost| cost.cycles_of(load));
         Ok(Plan {

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::{Core, Types, Visibility, seen::Work};
+use super::{Core, Correction, Divided, Paint, Types, Visibility, seen::Work};
 
 /// The table for all cores.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -35,7 +35,7 @@ pub struct Cost {
 pub struct Load(pub [f64; PARTS]);
 
 /// The number of parts.
-const PARTS: usize = 10;
+const PARTS: usize = 13;
 
 impl Load {
     /// The parts.
@@ -50,13 +50,26 @@ impl Load {
         "rows of them",
         "their pixels",
         "of these, in front",
+        "triangles whose texture coordinates are divided",
+        "rows of these",
+        "pieces of these rows",
     ];
 
     /// That of a view of some vertices, on a display of some pixels in some bands, whose height has
     /// this place in [`band_rows`](super::band_rows). What one band takes is a part of the pixels,
     /// and it meets each triangle once.
-    pub(super) fn of(work: &Work, vertices: u64, [pixels, bands]: [u32; 2], place: usize) -> Self {
+    pub(super) fn of(
+        work: &Work,
+        types: &Types,
+        vertices: u64,
+        [pixels, bands]: [u32; 2],
+        place: usize,
+    ) -> Self {
         let Work { triangles, seen, missed, rows, covered, passed, .. } = *work;
+        let divided = match types.paint {
+            Paint::Textures(Correction::Adaptive, _) => work.divided,
+            _ => Divided::default(),
+        };
         let met = if bands == 1 { 0 } else { work.met.get(place).copied().unwrap_or(0) };
         let bands = if bands == 1 { 0 } else { bands };
         let counts = [
@@ -70,6 +83,9 @@ impl Load {
             rows,
             covered,
             passed,
+            divided.triangles,
+            divided.rows,
+            divided.pieces,
         ];
         Self(counts.map(|count: u64| count as f64))
     }

@@ -96,7 +96,7 @@ impl<'a> Estimator<'a> {
         let Candidate { types, rows } = candidate;
         let (request, model) = (&self.study.request, self.model(types));
         let cost = self.costs.of(request.core, types)?;
-        let loads = self.study.loads(model, *rows);
+        let loads = self.study.loads(model, types, *rows);
         let cycles: Vec<f64> = loads.iter().map(|load| cost.cycles_of(load)).collect();
         let mean = cycles.iter().sum::<f64>() / cycles.len().max(1) as f64;
         let [width, height] = request.display;

@@ -13,7 +13,7 @@ use rasterizer::{
     attribute::{FloatDepth, NoDepth},
     camera::{Camera, Perspective},
     fixed::types::U16F16,
-    geometry::{Pose, ScreenVertex},
+    geometry::ScreenVertex,
     mesh::{Mesh, MeshFace, MeshMaterial, MeshVertex},
     numbers::{Rotation, S4, S8, Scalar, Subpixel, Vec3},
     output::{Frame, PixelFill, StoredColor, StoredDepth, Target},
@@ -22,7 +22,7 @@ use rasterizer::{
     shade::{Face, Outcome, Shader},
 };
 
-use super::{Visibility, band_rows, views::Placed};
+use super::{Divided, Visibility, band_rows, views::Placed};
 use crate::check::{Subpixel as Precision, ViewError};
 
 /// The number of the face that a pixel shows, from 1; 0 for none.
@@ -81,6 +81,8 @@ pub struct Work {
     pub passed: u64,
     /// For each of [`band_rows`], how often bands meet a triangle that is seen.
     pub met: Vec<u64>,
+    /// What is divided of texture coordinates, in renderers that correct them.
+    pub divided: Divided,
 }
 
 /// A view by all ways.
@@ -137,17 +139,17 @@ impl Eye<'_> {
         Ok(Seen { work, faces, shown, wrong })
     }
 
-    const fn area(&self) -> Rectangle {
+    pub(super) const fn area(&self) -> Rectangle {
         Rectangle::new(Point::zero(), Size::new(self.size[0], self.size[1]))
     }
 
-    fn camera(&self, view: &Placed) -> Result<Camera<Perspective>, ViewError> {
+    pub(super) fn camera(&self, view: &Placed) -> Result<Camera<Perspective>, ViewError> {
         let eye = Vec3::new(Scalar::ZERO, Scalar::ZERO, Scalar::from_num(view.distance));
         Ok(Camera::at(eye, Rotation::IDENTITY, self.lens, self.area())?)
     }
 
     fn object(&self, view: &Placed) -> Object<'_, Numbered> {
-        Object::new(self.mesh, Numbered).posed(Pose::rotated(view.rotation))
+        Object::new(self.mesh, Numbered).posed(view.pose())
     }
 
     /// The faces by a depth buffer; counts them, if there is something to count in.

@@ -2,15 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
-use rasterizer::{
-    camera::{Distance, Perspective},
-    mesh::Mesh,
-};
+use rasterizer::camera::{Distance, Perspective};
 
 use super::{
     Correction, Load, Paint, PlanError, Request, Shape, Types, Visibility, Work, band_rows, convex,
+    divided::Coordinates,
     seen, source,
-    texels::{Sampling, Texels as Coordinates},
+    texels::{Sampling, Texels},
     types,
     views::Placed,
 };
@@ -100,11 +98,19 @@ impl Study {
         let radius = radius(&model);
         let lens = Lens::of(request, &views, radius)?;
         let mesh = model.mesh();
-        let seen = look(&model, &mesh, request, &lens, &views, &mut step)?;
+        let eye = seen::Eye { mesh: &mesh, lens: lens.perspective, size: request.display };
+        let mut seen = look(&model, &eye, request, &views, &mut step)?;
         let sampling = match seen.sampling {
             Some(seen) => Some(Sampled::new(&model, path, &options, seen)?),
             None => None,
         };
+        if let Some(sampling) = &sampling {
+            let is_wide = model.texture_coordinates.is_wide();
+            let coordinates = Coordinates { is_wide, size: sampling.sizes[1] };
+            for (work, view) in seen.work.iter_mut().zip(&views) {
+                work.divided = eye.divide(request.core.subpixel(), view, coordinates)?;
+            }
+        }
         Ok(Self {
             shape: convex::shape(&model),
             work: seen.work,
@@ -195,13 +201,14 @@ impl Study {
 
     /// The frames' loads in bands of some rows, for the model with the tables that are drawn.
     #[must_use]
-    pub fn loads(&self, model: &Model, rows: u32) -> Vec<Load> {
+    pub fn loads(&self, model: &Model, types: &Types, rows: u32) -> Vec<Load> {
         let [width, height] = self.request.display;
         let place = band_rows(height).iter().position(|&other| other == rows).unwrap_or(0);
         let (pixels, bands) = (width * height, height.div_ceil(rows));
         // Tables for light of triangles have fewer vertices than those that were looked at.
         let vertices = model.positions.len() as u64;
-        self.work.iter().map(|work| Load::of(work, vertices, [pixels, bands], place)).collect()
+        let load = |work: &Work| Load::of(work, types, vertices, [pixels, bands], place);
+        self.work.iter().map(load).collect()
     }
 
     /// The Rust file of a renderer.
@@ -237,14 +244,12 @@ struct SeenInAll {
 /// Looks at a model in all views.
 fn look(
     model: &Model,
-    mesh: &Mesh<'_>,
+    eye: &seen::Eye<'_>,
     request: &Request,
-    lens: &Lens,
     views: &[Placed],
     step: &mut impl FnMut(usize),
 ) -> Result<SeenInAll, PlanError> {
-    let eye = seen::Eye { mesh, lens: lens.perspective, size: request.display };
-    let coordinates = Coordinates::new(model, request.focal_length_px());
+    let coordinates = Texels::new(model, request.focal_length_px());
     let sampling = coordinates.as_ref().map(|_| Sampling::default());
     let mut all = SeenInAll { sampling, ..SeenInAll::default() };
     for (number, view) in views.iter().enumerate() {

@@ -1,6 +1,9 @@
 //! The views that a model is looked at in.
 
-use rasterizer::numbers::{Rotation, Turn};
+use rasterizer::{
+    geometry::Pose,
+    numbers::{Rotation, Turn},
+};
 
 use crate::{check::angle, reference::random::Random};
 
@@ -47,6 +50,11 @@ pub(super) struct Placed {
 }
 
 impl Placed {
+    /// The model's pose.
+    pub(super) const fn pose(&self) -> Pose {
+        Pose::rotated(self.rotation)
+    }
+
     /// A point of the model in the space of the camera: right, up, and the distance along its axis.
     pub(super) fn see(&self, point: [f64; 3]) -> [f64; 3] {
         let rows = self.rotation.rows().map(|row| row.map(|c| c.to_num::<f64>()));

@@ -99,7 +99,7 @@ impl Bench {
             let tables = model.report.flash.total() as u32;
             flash = flash.max(measured.flash.saturating_sub(own_flash + tables));
             stack = stack.max(measured.stack.saturating_sub(own_stack));
-            let loads = study.loads(&model, rows).into_iter().map(|load| load.0);
+            let loads = study.loads(&model, types, rows).into_iter().map(|load| load.0);
             frames.extend(loads.zip(measured.cycles.iter().map(|&cycles| cycles as f64)));
         }
         let cost = Cost { flash_bytes: flash, stack_bytes: stack, cycles: fit(&frames) };

@@ -5,7 +5,7 @@ use std::{fs, path::Path, process::Command};
 use anyhow::{Context as _, Result, ensure};
 use host_tools::{
     model::{Options, write_atomically},
-    plan::{Candidate, Correction, Costs, Paint, Plan, Study, Vertices},
+    plan::{Candidate, Costs, Plan, Study, Vertices},
 };
 use serde::{Deserialize, Serialize};
 
@@ -49,10 +49,6 @@ pub(super) const MOST_BYTES: f64 = 0.10;
 
 /// How far measured cycles may lie from predicted ones.
 pub(super) const MOST_CYCLES: f64 = 0.15;
-
-/// The same where perspective is corrected: how often a span is divided depends on what it shows,
-/// and is no part of a load. The weights themselves leave 9 % there, and 33 % in single frames.
-pub(super) const MOST_CORRECTED: f64 = 0.25;
 
 impl Compared {
     /// How far flash, RAM and cycles are off what was predicted.
@@ -104,9 +100,6 @@ impl Compared {
         let (Candidate { types, rows }, _) = plan.everything;
         let (everything, expected) = measure("everything", &study.source(&types, rows)?)?;
         let width = study.request.display[0] as usize;
-        let is_corrected =
-            matches!(plan.chosen.types.paint, Paint::Textures(Correction::Adaptive, _));
-        let most_cycles = if is_corrected { MOST_CORRECTED } else { MOST_CYCLES };
         let different = drawn.iter().zip(&expected).map(|(a, b)| different(a, b, width));
         Ok(Self {
             scene: scene.name.into(),
@@ -118,7 +111,7 @@ impl Compared {
             predicted: predicted(&plan, &study),
             measured,
             everything,
-            most_cycles: scene.are_cycles_known.then_some(most_cycles),
+            most_cycles: scene.are_cycles_known.then_some(MOST_CYCLES),
             different: different.fold(0.0, f64::max),
         })
     }

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use host_tools::model::thousands;
 use serde::{Deserialize, Serialize};
 
-use super::compare::{Compared, Figures, MOST_BYTES, MOST_CORRECTED, MOST_CYCLES, MOST_DIFFERENT};
+use super::compare::{Compared, Figures, MOST_BYTES, MOST_CYCLES, MOST_DIFFERENT};
 
 /// What is saved.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -30,14 +30,14 @@ pub(super) fn page(saved: &Saved) -> String {
     let percent = |part: f64| format!("{:.0} %", 100.0 * part);
     let _ = writeln!(
         text,
-        "With {}. Flash and RAM are within {} of what is predicted, cycles within {} ({} where \
-         perspective is corrected; those of `needle` are not judged), or `measure plan` fails. So it does if more than {:.1} % of the pixels that show the model have a colour \
+        "With {}. Flash and RAM are within {} of what is predicted, cycles within {} (those of \
+         `needle` are not judged), or `measure plan` fails. So it does if more than {:.1} % of the \
+         pixels that show the model have a colour \
          that is not, give or take two steps of RGB565, among those of the picture with everything on \
          in the 3 x 3 pixels around.\n",
         saved.compiler.split(" (").next().unwrap_or_default(),
         percent(MOST_BYTES),
         percent(MOST_CYCLES),
-        percent(MOST_CORRECTED),
         100.0 * MOST_DIFFERENT
     );
     text += "\
@@ -138,14 +138,13 @@ that are made for it: a ring of 1,936 small triangles with shared corners, one o
 without, both with one-sided sheets in their opening, and a sheet alone, in 24 views each from near to
 far. All combinations are measured for one shader; the others have what they differ by in the
 simplest renderer. Flash and stack are those of that program. Cycles are a sum of what a frame has of
-pixels, bands, vertices, triangles, rows and covered pixels; their weights are fitted by least squares
-of relative errors. No model of this page is among those bodies.
+pixels, bands, vertices, triangles, rows, covered pixels and divisions of texture coordinates; their
+weights are fitted by least squares of relative errors. No model of this page is among those bodies.
 
 - Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is not
   planned.
 - Slivers: a Cortex-M0+ divides their gradients bit by bit. The needle of 300 slivers of 1:300 takes
   more than twice the cycles that its plan expects.
-- The divisions of a span in perspective: they depend on what it shows, and are no part of the sum.
 - Mip levels, bilinear filters, levels of 4 bits a texel: the plan makes textures as small as they are
   seen instead.
 - small3dlib: its figures in the README are of its own scenes; it draws without
