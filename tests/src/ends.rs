@@ -41,7 +41,8 @@ const fn angle(random: &mut Random) -> Turn {
     }
 }
 
-fn rotation(random: &mut Random) -> Rotation {
+/// Any rotation.
+pub fn rotation(random: &mut Random) -> Rotation {
     Rotation::about_z(angle(random))
         * Rotation::about_x(angle(random))
         * Rotation::about_y(angle(random))

@@ -167,6 +167,34 @@ fn large_floors_close_to_the_eye_are_not_refused() {
     assert!(drawn > 5000, "{drawn}");
 }
 
+/// A ball of radius 1, sheared by up to a quarter, seen by an eye 2.5 to 4 away with the near
+/// plane at 0.05: the finest precision is kept there as it is without a shear.
+#[test]
+fn sheared_balls_close_to_the_eye_are_not_refused() {
+    let mut random = Random::new(45);
+    for _ in 0..2000 {
+        let points = (0..40).map(|_| unit([(); 3].map(|()| random.within(-999, 999).into())));
+        let points = points.map(|point| point.map(|c| (c * 32_767.0) as i16)).collect();
+        let surface = Surface::new(points, vec![[0, 1, 2]]).scaled(-15);
+        let shears = [(); 3].map(|()| Scalar::from_bits(random.within(-(1 << 14), 1 << 14)));
+        let shape = Matrix::from_rows([
+            [Scalar::ONE, shears[0], shears[1]],
+            [Scalar::ZERO, Scalar::ONE, shears[2]],
+            [Scalar::ZERO, Scalar::ZERO, Scalar::ONE],
+        ]);
+        let stage = Stage {
+            surface,
+            pose: Pose::rotated(ends::rotation(&mut random)),
+            eye: Vec3::from_bits([0, 0, random.within(5 << 15, 4 << 16)]),
+            rotation: Rotation::IDENTITY,
+        };
+        let [near, far] = [Distance::lit("0.05"), Distance::lit("100")];
+        let lens = Perspective::with_focal_length(Distance::lit("240"), near, far).unwrap();
+        let camera = stage.camera(lens, area(0, 0, 240, 240));
+        assert!(placed::<S8, _>(&stage, &shape, camera, &Lens::perspective(&lens, 240.0)) > 0);
+    }
+}
+
 /// The faces of a cube that are seen are those whose outward side the eye is on, also in a mirror.
 #[test]
 fn faces_seen_are_those_turned_to_the_eye() {

@@ -10,6 +10,11 @@
 //! stretch s of N, the distance of a vertex v from the eye is at least s |L (v - q)|, so that along
 //! axis j |v - a| is at most 1 / (s L<sub>j</sub>) of the distance, besides the box's extent. The
 //! anchor's own distance is at most 3 |L (a - q)|, so that no vertex has less than s / 3 of it.
+//!
+//! Where the matrix shears less, more is known. With the anchor's way w from the eye the distance
+//! of a vertex has the square |w|² + 2 w·D (v - a) + |D (v - a)|². If the box reaches no farther
+//! than |w|² / 2 back along w, the first two are not below zero, and |D (v - a)| is at most the
+//! distance: as at right angles, where nothing of the box is nearer than the anchor.
 
 use super::placement::{Axis, Grid};
 use crate::{mesh::Mesh, numbers::Float};
@@ -89,6 +94,27 @@ impl Inverse {
         if most == Float::ZERO { most } else { most.reciprocal() }
     }
 
+    /// The most that the magnitudes of a vector's components along the object's axes add up to, for
+    /// one of length 1: the length of s D<sup>-1</sup> for the signs s that make it largest. At
+    /// right angles it is the root of 3.
+    fn most_sum(&self) -> Float {
+        let mut most = Float::ZERO;
+        for signs in 0..4 {
+            let square = self.cofactors.iter().fold(Float::ZERO, |square, cofactors| {
+                let parts = cofactors.iter().zip(self.lengths).enumerate();
+                let sum = parts.fold(Float::ZERO, |sum, (column, (cofactor, length))| {
+                    let part = cofactor.times(length.reciprocal());
+                    sum.plus(if signs >> column & 1 == 0 { part } else { part.negative() })
+                });
+                square.plus(sum.times(sum))
+            });
+            most = larger(most, square);
+        }
+        let square = most.times(self.per_magnitude).times(self.per_magnitude);
+        // The root is below its tangents: x / 3.5 + 3.5 / 4, which touches it near 3.
+        square.times(const { Float::new(7, -1).reciprocal() }).plus(const { Float::new(7, -3) })
+    }
+
     /// The distance at which vertices are off by what the entries of a matrix without a shape are
     /// off by at `distance`, or more.
     ///
@@ -127,8 +153,33 @@ impl Inverse {
         if sum == Float::ZERO {
             return distance;
         }
+        if is_little_behind(grid, axes, mesh) {
+            sum = smaller(sum, self.most_sum());
+        }
         smaller(distance, SUM.times(grid.quantum).times(sum.reciprocal()))
     }
+}
+
+/// Whether the box reaches no farther than |w|² / 2 back along the anchor's way w from the eye, in
+/// quanta.
+#[inline(never)]
+fn is_little_behind(grid: &Grid, axes: [&Axis; 3], mesh: &Mesh<'_>) -> bool {
+    let way = axes.map(|axis| axis.way().over(grid.quantum));
+    // Minus a sixteenth, for rounding.
+    let mut rest = way.iter().fold(Float::ZERO, |sum, part| sum.plus(part.times(*part)));
+    rest = rest.times(const { Float::new(15, -5) });
+    for column in 0..3 {
+        let along = axes.iter().zip(way).fold(Float::ZERO, |sum, (axis, part)| {
+            let direction = axis.direction.get(column).copied().unwrap_or_default();
+            sum.plus(part.times(Float::new(direction, -60)))
+        });
+        let [min, max] = [mesh.bounds().min, mesh.bounds().max]
+            .map(|ends| i64::from(ends[column]) << mesh.spare_bits());
+        let end = if along.mantissa < 0 { max } else { min };
+        let to_end = Float::new(end - i64::from(grid.anchor[column]), 0);
+        rest = rest.plus(along.times(to_end));
+    }
+    rest.mantissa > 0
 }
 
 const fn magnitude(x: Float) -> Float {
