@@ -9,7 +9,7 @@
 use super::{PlanarShadow, Plane, Pose};
 use crate::{
     mesh::Mesh,
-    numbers::{Float, Rotation, Scale, Vec3, cross, unit},
+    numbers::{Float, Rotation, Vec3, cross, unit},
 };
 
 /// The shadow of a mesh on a plane, in the light of a lamp at a point: a mesh of its own, whose
@@ -217,7 +217,7 @@ impl<'a> LampShadow<'a> {
         }
         let [right, up, normal] = axes;
         let rotation = Rotation::from_row_bits([0, 1, 2].map(|i| [right[i], up[i], normal[i]]));
-        let scale = Scale::new(tables.scale.mantissa(), tables.scale.exponent() + unit);
+        let scale = tables.scale.times_power_of_2(unit);
         Ok(Self {
             mesh: mesh.with_positions(shadow, scale),
             pose: Pose { rotation, translation: Vec3::from_bits(place), scale: pose.scale },
@@ -260,7 +260,7 @@ mod tests {
     use super::*;
     use crate::{
         mesh::{Card, Material, Positions, Tables, Triangles},
-        numbers::{Scalar, Turn},
+        numbers::{Scalar, Scale, Turn},
         random::Random,
     };
 

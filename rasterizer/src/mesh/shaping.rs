@@ -9,7 +9,7 @@
 //! flattened onto a plane has the normals of that plane.
 
 use super::{BoundingBox, Mesh, Tables};
-use crate::numbers::{Direction, Matrix, Scale, mul_wide_q30, shifted};
+use crate::numbers::{Direction, Matrix, mul_wide_q30, shifted};
 
 /// A linear map, prepared for a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -73,9 +73,8 @@ impl Shaping {
     pub(crate) fn mesh<'a>(&self, mesh: &Mesh<'a>) -> Mesh<'a> {
         let map = self.of_mesh(mesh);
         let tables = mesh.tables();
-        let (mantissa, exponent) = (tables.scale.mantissa(), tables.scale.exponent());
-        let exponent = exponent + self.exponent - mesh.spare_bits().cast_signed();
-        let scale = Scale::new(mantissa, exponent.clamp(-1000, 1000));
+        let power = self.exponent - mesh.spare_bits().cast_signed();
+        let scale = tables.scale.times_power_of_2(power);
         let offset = self.matrix.apply(tables.offset);
         let corners: [_; 8] =
             core::array::from_fn(|index| map.position(mesh.bounds().corner(index)));

@@ -38,6 +38,12 @@ impl Scale {
     pub const fn exponent(self) -> i32 {
         self.exponent
     }
+
+    /// The scale times a power of 2, at the ends of the exponents at most. Unlike
+    /// [`new`](Self::new) it has no code to panic by.
+    pub(crate) fn times_power_of_2(self, power: i32) -> Self {
+        Self { exponent: self.exponent.saturating_add(power).clamp(-1031, 1000), ..self }
+    }
 }
 
 #[cfg(test)]
@@ -49,5 +55,13 @@ mod tests {
         assert_eq!(Scale::new(1, 0), Scale::new(2, -1));
         assert_eq!(Scale::new(3, 5).mantissa(), 3 << 30);
         assert_eq!(Scale::new(3, 5).exponent(), 5 - 30);
+    }
+
+    #[test]
+    fn powers_of_2_stop_at_the_ends() {
+        let scale = Scale::new(3, 5);
+        assert_eq!(scale.times_power_of_2(-7), Scale::new(3, -2));
+        assert_eq!(scale.times_power_of_2(i32::MAX).exponent(), 1000);
+        assert_eq!(scale.times_power_of_2(i32::MIN).exponent(), Scale::new(1, -1000).exponent());
     }
 }
