@@ -22,7 +22,7 @@ use super::{
     drawing::{self, Drawing},
     fog::{self, AnyFog, SeenPicture},
     form::{Form, Formed, UseObject, in_form},
-    layers::Blended,
+    layers,
     object::{self, FixedPicture, screen_triangles, to_pixels},
     surface::Surface,
     view::{View, ViewError},
@@ -161,16 +161,13 @@ where
         } else {
             let placed =
                 |triangle, (corner, seen)| (placed(triangle, corner), fog::inverse_w(seen, near));
-            let shader = &in_fog;
             any_depth::with(view.depth, || {
-                drawing::draw(view, ByShader { model, view, shader, planes, placed })
+                in_form(model, view, in_fog.clone(), Cut { view, planes, placed })
             })
         }?;
         let blended = match view.blending {
             Blending::Replace => None,
-            Blending::By(blend) => {
-                Some(drawing::draw(view, Blended { model, view, blend, shader: &in_fog })?)
-            }
+            Blending::By(blend) => Some(layers::blended(model, view, blend, &in_fog)?),
         };
         Ok(Placed { blended, ..drawn })
     })
@@ -208,58 +205,28 @@ where
     }
 }
 
-/// A model in any form, cut at planes, and what the reference has at its corners.
-struct ByShader<'a, Sh, F> {
-    model: &'a Model,
+/// Planes that cut a model, and what the reference has at its corners.
+struct Cut<'a, F> {
     view: &'a View,
-    shader: &'a Sh,
     planes: ClipPlanes<MOST_PLANES>,
     /// The varyings and 1 / w of a corner of a triangle.
     placed: F,
 }
 
-impl<const N: usize, Sh, F> Drawing for ByShader<'_, Sh, F>
+impl<const N: usize, Sh, F> UseObject<Sh> for Cut<'_, F>
 where
     Sh: Shader<Color: ShownColor>,
-    F: Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
-{
-    type Drawn = Placed<N, Sh::Color>;
-
-    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
-        self,
-        camera: &Camera<P>,
-    ) -> Result<Self::Drawn, ViewError> {
-        let Self { model, view, shader, planes, placed } = self;
-        let precision = S::default();
-        in_form(model, view, shader.clone(), Cut { view, planes, camera, precision, placed })
-    }
-}
-
-/// Draws an object that planes cut, with a camera and in a precision.
-struct Cut<'a, P, S, F> {
-    view: &'a View,
-    planes: ClipPlanes<MOST_PLANES>,
-    camera: &'a Camera<P>,
-    precision: S,
-    placed: F,
-}
-
-impl<const N: usize, Sh, P, S, F> UseObject<Sh> for Cut<'_, P, S, F>
-where
-    Sh: Shader<Color: ShownColor>,
-    P: geometry::Projection,
-    S: numbers::Subpixel,
     F: Fn(usize, OnScreen<Sh>) -> ([f64; N], f64),
 {
     type Done = Placed<N, Sh::Color>;
 
-    fn use_object<G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
         self,
         object: Formed<'_, Sh, G>,
+        camera: &Camera<P>,
     ) -> Result<Self::Done, ViewError> {
-        let Self { view, planes, camera, precision, placed } = self;
-        let object = object.posed(view.pose()?).clipped(planes);
-        draw_object(&object, view, (camera, precision), placed)
+        let Self { view, planes, placed } = self;
+        draw_object(&object.clipped(planes), view, (camera, S::default()), placed)
     }
 }
 

@@ -4,9 +4,10 @@
 use std::borrow::Cow;
 
 use rasterizer::{
+    camera::Camera,
     geometry::{self, ClipAll, CullBack},
     mesh::{Keyframes, Progress},
-    numbers::{Matrix, Scalar},
+    numbers::{Matrix, Scalar, Subpixel},
     output::Replace,
     raster::NoBias,
     scene::{Modes, Object},
@@ -14,6 +15,7 @@ use rasterizer::{
 };
 
 use super::{
+    drawing::{self, Drawing},
     stand::{MOST, STEP},
     view::{View, ViewError, checked},
 };
@@ -51,36 +53,63 @@ const PROGRESS: f64 = 1.0 / 32_768.0;
 pub(super) type Formed<'a, Sh, G, L = ClipAll> =
     Object<'a, Sh, Modes<CullBack, L, Replace, NoBias, G>>;
 
-/// Draws an object of the core in any form.
+/// Draws an object of the core in any form and precision, with any camera.
 pub(super) trait UseObject<Sh: Shader> {
     /// The result.
     type Done;
 
-    /// Draws the object, which has no pose yet.
-    fn use_object<G: geometry::Shape>(
+    /// Draws the object, which has the view's pose.
+    fn use_object<S: Subpixel, P: geometry::Projection, G: geometry::Shape>(
         self,
         object: Formed<'_, Sh, G>,
+        camera: &Camera<P>,
     ) -> Result<Self::Done, ViewError>;
 }
 
-/// Draws a model in the form of a view.
+/// Draws a model in the form, in the pose, with the camera and in the precision of a view.
 pub(super) fn in_form<Sh: Shader, U: UseObject<Sh>>(
     model: &Model,
     view: &View,
     shader: Sh,
     user: U,
 ) -> Result<U::Done, ViewError> {
-    let mesh = model.mesh();
-    match view.form.rounded() {
-        Form::AsModelled => user.use_object(Object::new(&mesh, shader)),
-        Form::Shaped(map) => user.use_object(Object::new(&mesh, shader).shaped(&matrix(&map)?)),
-        Form::Between { progress, .. } => {
-            let further = model.further_shapes();
-            let progress =
-                Progress::from_num(checked("the way between shapes", progress, 0.0, 1.0)?);
-            let keyframes = Keyframes::new(&mesh, &further).ok();
-            let tween = keyframes.and_then(|keyframes| keyframes.between(0, 1, progress));
-            user.use_object(Object::morphed(&tween.ok_or(ViewError::OneShape)?, shader))
+    drawing::draw(view, InForm { model, view, shader, user })
+}
+
+/// What draws a model in the form of a view.
+struct InForm<'a, Sh, U> {
+    model: &'a Model,
+    view: &'a View,
+    shader: Sh,
+    user: U,
+}
+
+impl<Sh: Shader, U: UseObject<Sh>> Drawing for InForm<'_, Sh, U> {
+    type Drawn = U::Done;
+
+    fn draw<S: Subpixel, P: geometry::Projection>(
+        self,
+        camera: &Camera<P>,
+    ) -> Result<U::Done, ViewError> {
+        let Self { model, view, shader, user } = self;
+        let (mesh, pose) = (model.mesh(), view.pose()?);
+        match view.form.rounded() {
+            Form::AsModelled => {
+                user.use_object::<S, P, _>(Object::new(&mesh, shader).posed(pose), camera)
+            }
+            Form::Shaped(map) => {
+                let object = Object::new(&mesh, shader).posed(pose).shaped(&matrix(&map)?);
+                user.use_object::<S, P, _>(object, camera)
+            }
+            Form::Between { progress, .. } => {
+                let further = model.further_shapes();
+                let progress =
+                    Progress::from_num(checked("the way between shapes", progress, 0.0, 1.0)?);
+                let keyframes = Keyframes::new(&mesh, &further).ok();
+                let tween = keyframes.and_then(|keyframes| keyframes.between(0, 1, progress));
+                let tween = tween.ok_or(ViewError::OneShape)?;
+                user.use_object::<S, P, _>(Object::morphed(&tween, shader).posed(pose), camera)
+            }
         }
     }
 }

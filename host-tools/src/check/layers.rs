@@ -18,7 +18,6 @@ use super::{
     alphas::Fading,
     blending::{self, Layers, Recorder},
     display::rgb888,
-    drawing::Drawing,
     fixed::ShownColor,
     form::{Formed, UseObject, in_form},
     object::screen_triangles,
@@ -29,61 +28,50 @@ use crate::{
     reference::{Blend, Sample, draw_screen},
 };
 
-/// A model blended with itself, from back to front.
+/// Blends a model with itself, from back to front.
 ///
 /// Without depth: all of its layers are seen. The shader is one in fog, which may be none, and
 /// planes may be far away, so that the code is compiled once.
-pub(super) struct Blended<'a, Sh> {
-    pub(super) model: &'a Model,
-    pub(super) view: &'a View,
-    pub(super) blend: Blend,
-    pub(super) shader: &'a Sh,
+pub(super) fn blended<Sh: Shader<Color: ShownColor>>(
+    model: &Model,
+    view: &View,
+    blend: Blend,
+    shader: &Sh,
+) -> Result<Layers, ViewError> {
+    let fading = Fading::of(model, view)?;
+    let shader = Faded::new(shader.clone(), fading.of_vertices());
+    in_form(model, view, shader, Blended { model, view, blend })
 }
 
-impl<Sh: Shader<Color: ShownColor>> Drawing for Blended<'_, Sh> {
-    type Drawn = Layers;
-
-    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
-        self,
-        camera: &Camera<P>,
-    ) -> Result<Layers, ViewError> {
-        let Self { model, view, shader, .. } = self;
-        let fading = Fading::of(model, view)?;
-        let shader = Faded::new(shader.clone(), fading.of_vertices());
-        in_form(model, view, shader, Stacked { of: self, camera, precision: S::default() })
-    }
+/// What blends an object with itself.
+struct Blended<'a> {
+    model: &'a Model,
+    view: &'a View,
+    blend: Blend,
 }
 
-/// Blends an object with itself, with a camera and in a precision.
-struct Stacked<'a, 'b, Sh, P, S> {
-    of: Blended<'b, Sh>,
-    camera: &'a Camera<P>,
-    precision: S,
-}
-
-impl<Sh, F, P, S> UseObject<Faded<Sh, F>> for Stacked<'_, '_, Sh, P, S>
+impl<Sh, F> UseObject<Faded<Sh, F>> for Blended<'_>
 where
     Sh: Shader<Color: ShownColor>,
     F: Fn(&MeshVertex<'_>) -> Alpha + Clone,
-    P: geometry::Projection,
-    S: numbers::Subpixel,
 {
     type Done = Layers;
 
-    fn use_object<G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
         self,
         object: Formed<'_, Faded<Sh, F>, G>,
+        camera: &Camera<P>,
     ) -> Result<Layers, ViewError> {
-        let Self { of: Blended { model, view, blend, .. }, camera, precision } = self;
+        let Self { model, view, blend } = self;
         let layers = RefCell::default();
         let factor = MaterialOpacity::times(blending::alpha(view.opacity));
-        let object = object.posed(view.pose()?).clipped(view.planes.core()?).blended(Recorder {
+        let object = object.clipped(view.planes.core()?).blended(Recorder {
             blend,
             factor,
             layers: &layers,
         });
         let mut order = vec![0; model.mesh().triangle_count()];
-        let projected = object.project_on_demand::<P, S, NoDepth>(camera, precision)?;
+        let projected = object.project_on_demand::<P, S, NoDepth>(camera, S::default())?;
         // Varyings of alphas have 15 bits behind the point; depth is not compared here.
         let triangles = screen_triangles(&projected, Point::zero(), |_, corner| {
             let (_, [alpha]) = corner.varyings();

@@ -1,7 +1,7 @@
 //! The edges, lines and points of a model, by the same calls as on a microcontroller: drawn, and
 //! judged.
 
-use std::{convert::Infallible, marker::PhantomData};
+use std::convert::Infallible;
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 use rasterizer::{
@@ -19,7 +19,6 @@ use rasterizer::{
 use super::{
     Blending, FixedPicture, LineOutcome, Pixel,
     display::rgb888,
-    drawing::{self, Drawing},
     form::{Formed, UseObject, in_form},
     judged_lines::{Canvas, Owners},
     shading,
@@ -142,10 +141,11 @@ pub(super) fn draw_over(
     if !options.has_lines(model) {
         return Ok(surfaces);
     }
+    let over = Over { model, view, options, under, surfaces };
     if model.vertex_colors.is_empty() {
-        drawing::draw(view, Over { model, view, options, under, surfaces, shader: Unlit::new() })
+        in_form(model, view, Unlit::new(), over)
     } else {
-        drawing::draw(view, Over { model, view, options, under, surfaces, shader: Colored::new() })
+        in_form(model, view, Colored::new(), over)
     }
 }
 
@@ -154,56 +154,31 @@ fn behind_lines<'a, Sh: Shader, G: geometry::Shape>(
     object: Formed<'a, Sh, G>,
     view: &View,
 ) -> Result<Object<'a, Sh, impl Mode<Blending = Replace> + use<Sh, G>>, ViewError> {
-    Ok(object.posed(view.pose()?).clipped(view.planes.core()?).biased(BEHIND))
-}
-
-/// What is drawn with a camera and in a precision.
-struct With<'a, T, P, S> {
-    drawing: T,
-    camera: &'a Camera<P>,
-    precision: PhantomData<S>,
+    Ok(object.clipped(view.planes.core()?).biased(BEHIND))
 }
 
 /// Lines and points over a picture.
-struct Over<'a, Sh> {
+struct Over<'a> {
     model: &'a Model,
     view: &'a View,
     options: LineOptions,
     under: Option<&'a [[u8; 3]]>,
     surfaces: FixedPicture,
-    /// Colours lines and points of the file.
-    shader: Sh,
 }
 
-impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> Drawing for Over<'_, Sh> {
-    type Drawn = FixedPicture;
-
-    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
-        self,
-        camera: &Camera<P>,
-    ) -> Result<FixedPicture, ViewError> {
-        let (model, view, shader) = (self.model, self.view, self.shader.clone());
-        in_form(model, view, shader, With { drawing: self, camera, precision: PhantomData::<S> })
-    }
-}
-
-impl<Sh, P, S> UseObject<Sh> for With<'_, Over<'_, Sh>, P, S>
-where
-    Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
-    P: geometry::Projection,
-    S: numbers::Subpixel,
-{
+impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> UseObject<Sh> for Over<'_> {
     type Done = FixedPicture;
 
-    fn use_object<G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
         self,
         object: Formed<'_, Sh, G>,
+        camera: &Camera<P>,
     ) -> Result<FixedPicture, ViewError> {
-        let Over { model, view, options, under, surfaces, .. } = self.drawing;
+        let Self { model, view, options, under, surfaces } = self;
         let object = behind_lines(object, view)?;
         let mesh = *object.mesh();
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
-        let seen = object.project(self.camera, &mut storage)?;
+        let seen = object.project(camera, &mut storage)?;
 
         let shown = |(place, pixel): (usize, &Pixel)| {
             let behind = || under.map_or(view.background, |under| under[place]);
@@ -346,58 +321,39 @@ pub fn judge_lines(
     options: LineOptions,
 ) -> Result<LineOutcome, ViewError> {
     if model.vertex_colors.is_empty() {
-        let (shader, color) = (Unlit::new(), |_| None);
-        drawing::draw(view, Judged { model, view, options, shader, color })
+        in_form(model, view, Unlit::new(), Judged { model, view, options, color: |_| None })
     } else {
         let color = |corner| Some(shading::channels(&corner));
-        drawing::draw(view, Judged { model, view, options, shader: Colored::new(), color })
+        in_form(model, view, Colored::new(), Judged { model, view, options, color })
     }
 }
 
 /// Lines and points that are judged.
-struct Judged<'a, Sh, F> {
+struct Judged<'a, F> {
     model: &'a Model,
     view: &'a View,
     options: LineOptions,
-    shader: Sh,
     /// The colour of a vertex, if vertices have colours.
     color: F,
 }
 
-impl<Sh, F> Drawing for Judged<'_, Sh, F>
+impl<Sh, F> UseObject<Sh> for Judged<'_, F>
 where
     Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
     F: Fn(OnScreen<Sh>) -> Option<[f64; 3]>,
-{
-    type Drawn = LineOutcome;
-
-    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
-        self,
-        camera: &Camera<P>,
-    ) -> Result<LineOutcome, ViewError> {
-        let (model, view, shader) = (self.model, self.view, self.shader.clone());
-        in_form(model, view, shader, With { drawing: self, camera, precision: PhantomData::<S> })
-    }
-}
-
-impl<Sh, F, P, S> UseObject<Sh> for With<'_, Judged<'_, Sh, F>, P, S>
-where
-    Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>,
-    F: Fn(OnScreen<Sh>) -> Option<[f64; 3]>,
-    P: geometry::Projection,
-    S: numbers::Subpixel,
 {
     type Done = LineOutcome;
 
-    fn use_object<G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
         self,
         object: Formed<'_, Sh, G>,
+        camera: &Camera<P>,
     ) -> Result<LineOutcome, ViewError> {
-        let Judged { model, view, options, color, .. } = self.drawing;
+        let Self { model, view, options, color } = self;
         let object = behind_lines(object, view)?;
         let mesh = *object.mesh();
         let mut storage = vec![ScreenVertex::<S, u32, OnScreen<Sh>>::EMPTY; mesh.vertex_count()];
-        let seen = object.project(self.camera, &mut storage)?;
+        let seen = object.project(camera, &mut storage)?;
         let pixels = view.pixel_count();
         let mut canvas =
             Canvas { colors: vec![rgb888(view.background); pixels], depth: vec![0; pixels] };

@@ -16,7 +16,6 @@ use rasterizer::{
 
 use super::{
     Form, NormalErrors,
-    drawing::{self, Drawing},
     form::{Formed, UseObject, in_form},
     normals,
     stand::STEP,
@@ -42,7 +41,11 @@ pub(super) struct Noted {
 impl Noted {
     /// Of a model in a view.
     pub(super) fn of(model: &Model, view: &View) -> Result<Self, ViewError> {
-        let noted = drawing::draw(view, Notes { model, view })?;
+        let noted = RefCell::new(Self {
+            face_normals: vec![None; model.mesh().triangle_count()],
+            ..Self::default()
+        });
+        in_form(model, view, Recorder(&noted), Take { view })?;
         Ok(noted.into_inner())
     }
 
@@ -69,50 +72,25 @@ impl Noted {
     }
 }
 
-/// The drawing that takes notes.
-struct Notes<'a> {
-    model: &'a Model,
-    view: &'a View,
-}
-
-impl Drawing for Notes<'_> {
-    type Drawn = RefCell<Noted>;
-
-    fn draw<S: numbers::Subpixel, P: geometry::Projection>(
-        self,
-        camera: &Camera<P>,
-    ) -> Result<Self::Drawn, ViewError> {
-        let Self { model, view } = self;
-        let noted = RefCell::new(Noted {
-            face_normals: vec![None; model.mesh().triangle_count()],
-            ..Noted::default()
-        });
-        let storage = vec![ScreenVertex::EMPTY; model.positions.len()];
-        let user = Take::<P, S> { view, camera, storage };
-        in_form(model, view, Recorder(&noted), user)?;
-        Ok(noted)
-    }
-}
-
 /// Draws the object that the notes are taken of.
-struct Take<'a, P, S: numbers::Subpixel> {
+struct Take<'a> {
     view: &'a View,
-    camera: &'a Camera<P>,
-    storage: Vec<ScreenVertex<S, u16, [u16; 0]>>,
 }
 
-impl<'r, P: geometry::Projection, S: numbers::Subpixel> UseObject<Recorder<'r>> for Take<'_, P, S> {
+impl<'r> UseObject<Recorder<'r>> for Take<'_> {
     type Done = ();
 
-    fn use_object<G: geometry::Shape>(
-        mut self,
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
+        self,
         object: Formed<'_, Recorder<'r>, G>,
+        camera: &Camera<P>,
     ) -> Result<(), ViewError> {
         let pixels = self.view.pixel_count();
         let (mut colors, mut depth) = (vec![Rgb888::BLACK; pixels], vec![0u16; pixels]);
         let mut frame = Frame::new(&mut colors, &mut depth, self.view.area())?;
-        let object = object.posed(self.view.pose()?).culled(CullNone);
-        let Ok(()) = object.project(self.camera, &mut self.storage)?.draw(&mut frame);
+        let mut storage =
+            vec![ScreenVertex::<S, u16, [u16; 0]>::EMPTY; object.mesh().vertex_count()];
+        let Ok(()) = object.culled(CullNone).project(camera, &mut storage)?.draw(&mut frame);
         Ok(())
     }
 }
