@@ -37,8 +37,6 @@ type HalfTexel = Adaptive<{ 4 * 16 }>;
 /// A shader of texture coordinates, without a texture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Coordinates {
-    /// Whether the table of the mesh has 32 bits.
-    pub(super) is_wide: bool,
     /// The texture's width and height, in texels.
     pub(super) size: [usize; 2],
 }
@@ -53,11 +51,7 @@ impl Shader for Coordinates {
     fn surface(&self, _: &MeshMaterial<'_>) {}
 
     fn vertex(&self, vertex: &MeshVertex<'_>) -> Self::Varyings {
-        let turns = if self.is_wide {
-            vertex.texture_coordinates().map(|c| f64::from(c) / f64::from(1 << 24))
-        } else {
-            vertex.texture_coordinates_q14().map(|c| f64::from(c) / f64::from(1 << 14))
-        };
+        let turns = vertex.texture_coordinates().map(|c| f64::from(c) / f64::from(1 << 24));
         // A conversion to an integer ends at its largest and its least number.
         let units = [0, 1].map(|i| (turns[i] * self.size[i] as f64 * UNITS).round() as i16);
         PerspectiveCorrect::new(units)
@@ -166,11 +160,11 @@ mod tests {
         let contents = Contents { texture_coordinates: true, ..Contents::default() };
         let options = Options { contents, ..Options::default() };
         let model = Model::load(&path, &options).unwrap();
-        let (mesh, is_wide) = (model.mesh(), model.texture_coordinates.is_wide());
+        let mesh = model.mesh();
         let lens = Perspective::new(angle(60.0), Distance::lit("0.5"), Distance::lit("5"));
         let eye = Eye { mesh: &mesh, lens: lens.unwrap(), size: [320, 240] };
         let view = Placed { rotation: Rotation::about_y(angle(degrees)), distance: 2.0 };
-        eye.divide(Precision::S4, &view, Coordinates { is_wide, size: [texels; 2] }).unwrap()
+        eye.divide(Precision::S4, &view, Coordinates { size: [texels; 2] }).unwrap()
     }
 
     #[test]

@@ -105,8 +105,7 @@ impl Study {
             None => None,
         };
         if let Some(sampling) = &sampling {
-            let is_wide = model.texture_coordinates.is_wide();
-            let coordinates = Coordinates { is_wide, size: sampling.sizes[1] };
+            let coordinates = Coordinates { size: sampling.sizes[1] };
             for (work, view) in seen.work.iter_mut().zip(&views) {
                 work.divided = eye.divide(request.core.subpixel(), view, coordinates)?;
             }
