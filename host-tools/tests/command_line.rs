@@ -1,14 +1,13 @@
 //! The program as a user runs it: arguments, results, exit statuses, and what it leaves behind.
 
-use std::{
-    fs,
-    io::Read as _,
-    path::{Path, PathBuf},
-    process::{Command, Output, Stdio},
-};
+use std::{fs, io::Read as _, path::Path, process::Stdio};
 
 use serde_json::Value;
 use tempfile::TempDir;
+
+mod program;
+
+use program::{files, program, refusal, refuse, run, succeed, text};
 
 /// A cube: eight vertices, six faces, no normals.
 const CUBE: &str = "\
@@ -20,58 +19,6 @@ fn directory_with(name: &str, obj: &str) -> TempDir {
     let directory = tempfile::tempdir().unwrap();
     fs::write(directory.path().join(name), obj).unwrap();
     directory
-}
-
-fn program(directory: &Path) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_host-tools"));
-    command.current_dir(directory);
-    command
-}
-
-fn run(directory: &Path, line: &str) -> Output {
-    program(directory).args(line.split_whitespace()).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> &str {
-    std::str::from_utf8(bytes).unwrap()
-}
-
-/// Runs and expects success, with nothing on the standard error.
-#[track_caller]
-fn succeed(directory: &Path, line: &str) -> String {
-    let output = run(directory, line);
-    assert_eq!((output.status.code(), text(&output.stderr)), (Some(0), ""), "{line}");
-    text(&output.stdout).to_owned()
-}
-
-/// Runs and expects one clear refusal: status 2, nothing on the standard output, no new file.
-#[track_caller]
-fn refuse(directory: &Path, line: &str) -> String {
-    let before = files(directory);
-    let output = run(directory, line);
-    let complaint = text(&output.stderr).to_owned();
-    assert_eq!(output.status.code(), Some(2), "{line}: {complaint}");
-    assert_eq!(text(&output.stdout), "", "{line}");
-    assert!(
-        complaint.starts_with("error: ") && !complaint.contains("panicked"),
-        "{line}: {complaint}"
-    );
-    assert_eq!(files(directory), before, "{line}");
-    complaint
-}
-
-/// All files and directories below a directory.
-fn files(directory: &Path) -> Vec<PathBuf> {
-    let mut found = Vec::new();
-    for entry in fs::read_dir(directory).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            found.extend(files(&path));
-        }
-        found.push(path);
-    }
-    found.sort();
-    found
 }
 
 /// Width, height, number of frames, and the pixels of the first.
@@ -136,13 +83,13 @@ fn convert_writes_several_shapes() {
     assert!(json["flash"]["keyframes"].as_u64() > Some(100), "{json}");
 
     fs::write(path.join("c.obj"), CUBE.replace("f 4 1 5 8", "f 4 1 5")).unwrap();
-    let error = refuse(path, "convert a.obj b.obj c.obj");
+    let error = refusal(path, "convert a.obj b.obj c.obj");
     let difference = "c.obj:14: the face has 3 corners and not 4 as at a.obj:14";
     assert!(error.contains(difference), "{error}");
     // Neither of the files is overwritten, and the standard input is one file.
-    refuse(path, "convert a.obj b.obj -o b.obj");
-    assert!(refuse(path, "convert a.obj -").contains("standard input"));
-    assert!(refuse(path, "convert a.obj b.obj -o a.bin").contains("one shape"));
+    refusal(path, "convert a.obj b.obj -o b.obj");
+    refuse(path, "convert a.obj -", "standard input");
+    refuse(path, "convert a.obj b.obj -o a.bin", "one shape");
 }
 
 #[test]
@@ -157,7 +104,7 @@ fn convert_writes_bytes_to_a_file_of_that_name() {
     // It is ours to overwrite, and another file is not.
     succeed(path, "convert a.obj -o a.bin");
     fs::write(path.join("b.bin"), "by hand").unwrap();
-    assert!(refuse(path, "convert a.obj -o b.bin").contains("--force"));
+    refuse(path, "convert a.obj -o b.bin", "--force");
 }
 
 #[test]
@@ -167,14 +114,14 @@ fn convert_overwrites_only_its_own_files() {
     succeed(path, "convert a.obj");
     succeed(path, "convert a.obj");
     fs::write(path.join("a.rs"), "// by hand\n").unwrap();
-    let error = refuse(path, "convert a.obj");
+    let error = refusal(path, "convert a.obj");
     assert!(error.contains("a.rs exists") && error.contains("--force"), "{error}");
     assert_eq!(fs::read_to_string(path.join("a.rs")).unwrap(), "// by hand\n");
     succeed(path, "convert a.obj --force");
     assert!(fs::read_to_string(path.join("a.rs")).unwrap().contains("static A:"));
     // The program never overwrites the model itself.
-    refuse(path, "convert a.obj -o a.obj");
-    refuse(path, "render a.obj -o a.obj");
+    refusal(path, "convert a.obj -o a.obj");
+    refusal(path, "render a.obj -o a.obj");
     assert_eq!(fs::read_to_string(path.join("a.obj")).unwrap(), CUBE);
 }
 
@@ -397,7 +344,7 @@ fn plans_that_cannot_be_are_refused() {
         ("plan - --steps 8", "name a file"),
         ("plan cube.obj --ram 64KB", "64K"),
     ] {
-        let error = refuse(path, line);
+        let error = refusal(path, line);
         assert!(error.contains(expected), "{line}: {error}");
     }
     // Too slow is no bad input: the renderer is written.
@@ -445,7 +392,7 @@ fn bad_models_are_refused_with_path_and_line() {
         ("nan.obj", "nan.obj:2: "),
     ] {
         for command in ["convert", "render", "check", "check --json", ""] {
-            let error = refuse(path, &format!("{command} {model}"));
+            let error = refusal(path, &format!("{command} {model}"));
             assert!(error.contains(part), "{command} {model}: {error}");
             assert_eq!(error.lines().count(), 1, "{error}");
         }
@@ -476,7 +423,7 @@ fn bad_arguments_are_refused() {
         ("convert a.obj -o folder.rs", "folder.rs is a directory"),
         ("convert a.obj --texture-coordinates", "no texture coordinates"),
     ] {
-        let error = refuse(path, line);
+        let error = refusal(path, line);
         assert!(error.contains(part), "{line}: {error}");
     }
 }
@@ -486,7 +433,7 @@ fn bad_arguments_are_refused() {
 fn devices_are_not_replaced() {
     let directory = directory_with("a.obj", CUBE);
     std::os::unix::fs::symlink("/dev/null", directory.path().join("null")).unwrap();
-    let error = refuse(directory.path(), "convert a.obj --force -o null");
+    let error = refusal(directory.path(), "convert a.obj --force -o null");
     assert!(error.contains("null is not an ordinary file"), "{error}");
 }
 

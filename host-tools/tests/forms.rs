@@ -1,14 +1,16 @@
 //! `--stretch`, `--matrix` and `--between`: models that are not as they were modelled, drawn and
 //! judged.
 
-use std::{
-    fs,
-    path::Path,
-    process::{Command, Output},
-};
+use std::{fs, path::Path};
 
 use serde_json::Value;
 use tempfile::TempDir;
+
+mod frames;
+mod program;
+
+use frames::{picture, png_frames};
+use program::{refuse, succeed};
 
 /// A wedge of four faces, of which no two look the same.
 const WEDGE: &str = "\
@@ -20,40 +22,6 @@ fn directory_with(files: &[(&str, String)]) -> TempDir {
         fs::write(directory.path().join(name), text).unwrap();
     }
     directory
-}
-
-fn run(directory: &Path, line: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_host-tools"))
-        .current_dir(directory)
-        .args(line.split_whitespace())
-        .output()
-        .unwrap()
-}
-
-#[track_caller]
-fn succeed(directory: &Path, line: &str) -> String {
-    let output = run(directory, line);
-    let errors = String::from_utf8_lossy(&output.stderr);
-    let text = String::from_utf8(output.stdout).unwrap();
-    assert!(output.status.success() && errors.is_empty(), "{line}: {errors}{text}");
-    text
-}
-
-#[track_caller]
-fn refuse(directory: &Path, line: &str, part: &str) {
-    let output = run(directory, line);
-    let error = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.code() == Some(2) && error.contains(part), "{line}: {error}");
-}
-
-/// The picture of a command without its output.
-fn picture(directory: &Path, line: &str) -> Vec<u8> {
-    succeed(directory, &format!("{line} -o one.png"));
-    let file = std::io::BufReader::new(fs::File::open(directory.join("one.png")).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut pixels).unwrap();
-    pixels
 }
 
 /// What `check` finds, within all bounds.
@@ -225,12 +193,7 @@ fn a_motion_begins_and_ends_at_the_shapes() {
     // Frame 2 of 8 is a quarter of a turn on, and halfway to the second shape.
     let line = format!("render a.obj b.obj --between 0..1 --frames 8 -o turn.png {rest}");
     assert!(succeed(path, &line).contains("8 frames"));
-    let file = std::io::BufReader::new(fs::File::open(path.join("turn.png")).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut frame = vec![0; reader.output_buffer_size().unwrap()];
-    for _ in 0..3 {
-        reader.next_frame(&mut frame).unwrap();
-    }
+    let frame = png_frames(&path.join("turn.png")).0.swap_remove(2);
     let turned = "render a.obj b.obj --between 0.5 --yaw 120";
     assert_eq!(frame, picture(path, &format!("{turned} {rest}")));
 }

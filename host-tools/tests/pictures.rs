@@ -1,13 +1,14 @@
 //! `render`: cameras, backgrounds, animations, several models and fewer triangles.
 
-use std::{
-    fs,
-    io::BufReader,
-    path::Path,
-    process::{Command, Output},
-};
+use std::{fs, io::BufReader};
 
 use tempfile::TempDir;
+
+mod frames;
+mod program;
+
+use frames::{picture, png_frames};
+use program::{refuse, run, succeed};
 
 /// A cube whose faces have six colours.
 fn cube() -> TempDir {
@@ -32,56 +33,6 @@ fn cube() -> TempDir {
     fs::write(directory.path().join("a.obj"), text).unwrap();
     fs::write(directory.path().join("m.mtl"), library).unwrap();
     directory
-}
-
-fn run(directory: &Path, line: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_host-tools"))
-        .current_dir(directory)
-        .args(line.split_whitespace())
-        .output()
-        .unwrap()
-}
-
-#[track_caller]
-fn succeed(directory: &Path, line: &str) -> String {
-    let output = run(directory, line);
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success() && errors.is_empty(), "{line}: {errors}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-/// Runs and expects a refusal that names `part` and leaves no file.
-#[track_caller]
-fn refuse(directory: &Path, line: &str, part: &str) {
-    let count = || fs::read_dir(directory).unwrap().count();
-    let before = count();
-    let output = run(directory, line);
-    let error = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.code() == Some(2) && error.contains(part), "{line}: {error}");
-    assert_eq!(count(), before, "{line}");
-}
-
-/// The frames of a PNG file, and the seconds of one as a fraction.
-fn png_frames(path: &Path) -> (Vec<Vec<u8>>, Option<[u16; 2]>) {
-    let file = BufReader::new(fs::File::open(path).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let count = reader.info().animation_control.map_or(1, |animation| animation.num_frames);
-    let mut delay = None;
-    let frames = (0..count)
-        .map(|_| {
-            let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
-            reader.next_frame(&mut pixels).unwrap();
-            delay = reader.info().frame_control.map(|frame| [frame.delay_num, frame.delay_den]);
-            pixels
-        })
-        .collect();
-    (frames, delay)
-}
-
-/// The picture of a command without its output.
-fn picture(directory: &Path, line: &str) -> Vec<u8> {
-    succeed(directory, &format!("{line} -o one.png"));
-    png_frames(&directory.join("one.png")).0.remove(0)
 }
 
 fn pixel(picture: &[u8], width: usize, [x, y]: [usize; 2]) -> [u8; 3] {
