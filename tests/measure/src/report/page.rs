@@ -121,7 +121,7 @@ fn table(measured: &Measured, cores: &[Core]) -> Table {
         );
         cells.extend([errors.p999, errors.max].map(|error| format!("{error:.0}")));
         cells.push(format!("{:.1} dB", errors.psnr_db()));
-        cells.push(decimals(point.shimmer, 2));
+        cells.push(format!("{:.2}", point.shimmer));
         cells.extend(has_flip.then(|| decimals(point.flip, 4)));
         for &core in cores {
             cells.push(point.figure(Some(core)).map_or_else(String::new, count));
@@ -204,7 +204,7 @@ pub(super) fn csv(report: &Report) -> String {
             let errors = point.errors;
             let _ = write!(
                 text,
-                "{},{},{:.4},{:.4},{:.4},{:.2},{:.2},{},{},{}",
+                "{},{},{:.4},{:.4},{:.4},{:.2},{:.2},{:.4},{},{}",
                 measured.scene.name,
                 point.choice.name(),
                 errors.rms,
@@ -212,7 +212,7 @@ pub(super) fn csv(report: &Report) -> String {
                 errors.rms_squares,
                 errors.p999,
                 errors.max,
-                decimals(point.shimmer, 4),
+                point.shimmer,
                 decimals(point.flip, 5),
                 point.nanoseconds[1]
             );

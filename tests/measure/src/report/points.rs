@@ -44,8 +44,8 @@ pub(super) struct Point {
     pub(super) choice: Choice,
     pub(super) errors: Errors,
     /// How it changes otherwise than exact pictures of as many samples a pixel while the scene
-    /// moves by a 64th of a pixel, by [`errors::shimmer`]. `None` in figures without it.
-    pub(super) shimmer: Option<f64>,
+    /// moves by a 64th of a pixel, by [`errors::shimmer`].
+    pub(super) shimmer: f64,
     /// FLIP's mean error over all pixels of all frames, from 0 to 1, by the feature `flip`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) flip: Option<f64>,
@@ -144,7 +144,7 @@ impl Measured {
                 choice,
                 errors: errors.with_context(|| format!("{} shows nothing", scene.name))?,
                 flip: flip(drawn.frames.iter().zip(&truths)),
-                shimmer: Some(errors::shimmer(pictures.zip(exact))),
+                shimmer: errors::shimmer(pictures.zip(exact)),
                 nanoseconds: [times[0], times[times.len() / 2], times[times.len() - 1]],
                 costs: Vec::new(),
             })
@@ -218,7 +218,7 @@ mod tests {
             Point {
                 choice,
                 errors,
-                shimmer: None,
+                shimmer: 0.0,
                 flip: None,
                 nanoseconds: [1; 3],
                 costs: Vec::new(),
