@@ -1,6 +1,6 @@
 //! The bench scenes of light, colour, blending, fog, lines, points and particles, of a scissor, of
-//! layers that are shaded once, of several samples a pixel, and of meshes
-//! that a matrix or a second shape changes.
+//! layers that are shaded once, of several samples a pixel, and of meshes that a matrix or a second
+//! shape changes.
 
 mod blend;
 mod color;
