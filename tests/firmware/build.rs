@@ -123,6 +123,7 @@ fn link() -> Result<(), Box<dyn Error>> {
             "choice",
             "planned",
             "scaling",
+            "stiff",
         ] {
             println!("cargo::rustc-link-arg-bin={program}=--defsym=_ram_size=0x400000");
         }

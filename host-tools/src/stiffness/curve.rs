@@ -1,5 +1,6 @@
 //! A family of problems, its curve of error against stiffness, and the slope of that.
 
+use super::work::Cost;
 use crate::reference::random::Random;
 
 /// Problems that differ in one parameter, and what is known about their error.
@@ -19,13 +20,15 @@ pub struct Family {
     pub bound: &'static str,
     /// Where the bound ends, and what happens beyond.
     pub end: &'static str,
+    /// What is measured of its run time.
+    pub cost: Cost,
     pub(super) measure: fn(instances: usize) -> Vec<Point>,
 }
 
-/// The slope of the logarithm of an error over that of the parameter.
+/// The slope of the logarithm of an error, or of a run time, over that of the parameter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Law {
-    /// The slope: the power of the parameter that the error grows with.
+    /// The slope: the power of the parameter that it grows with.
     pub slope: f64,
     /// How far the fitted slope may lie off.
     pub tolerance: f64,
@@ -68,22 +71,12 @@ impl Family {
 }
 
 impl Curve {
-    /// The slope in a law's segment by least squares of the logarithms; `None` unless at least two
-    /// of its points have an error over 0.
+    /// The slope of the errors in a law's segment; `None` unless at least two of its points have an
+    /// error over 0.
     #[must_use]
     pub fn slope(&self, law: &Law) -> Option<f64> {
-        let [first, last] = law.segment;
-        let points = self.points.iter().filter(|point| (first..=last).contains(&point.parameter));
-        let points: Vec<_> = points
-            .filter_map(|point| Some([point.parameter.ln(), point.error?.ln()]))
-            .filter(|[_, error]| error.is_finite())
-            .collect();
-        let count = points.len() as f64;
-        let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / count);
-        let sum = |axis: usize| -> f64 {
-            points.iter().map(|point| (point[0] - mean[0]) * (point[axis] - mean[axis])).sum()
-        };
-        (points.len() > 1).then(|| sum(1) / sum(0))
+        let errors = self.points.iter().map(|point| (point.parameter, point.error));
+        law.slope_of(errors.filter_map(|(parameter, error)| Some([parameter, error?])))
     }
 
     /// The largest error as a part of its bound: 1 or less if all errors are within their bounds.
@@ -91,6 +84,23 @@ impl Curve {
     pub fn share_of_bound(&self) -> f64 {
         let share = |point: &Point| Some(point.error? / point.bound?);
         self.points.iter().filter_map(share).fold(0.0, f64::max)
+    }
+}
+
+impl Law {
+    /// The slope of points in its segment, each of a parameter and a value, by least squares of
+    /// their logarithms; `None` unless at least two of the values are over 0.
+    pub fn slope_of(&self, points: impl Iterator<Item = [f64; 2]>) -> Option<f64> {
+        let [first, last] = self.segment;
+        let points = points.filter(|[parameter, _]| (first..=last).contains(parameter));
+        let points: Vec<_> =
+            points.map(|point| point.map(f64::ln)).filter(|[_, value]| value.is_finite()).collect();
+        let count = points.len() as f64;
+        let mean = [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / count);
+        let sum = |axis: usize| -> f64 {
+            points.iter().map(|point| (point[0] - mean[0]) * (point[axis] - mean[axis])).sum()
+        };
+        (points.len() > 1).then(|| sum(1) / sum(0))
     }
 }
 

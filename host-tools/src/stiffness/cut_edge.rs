@@ -12,6 +12,7 @@ use super::{
     curve::{Family, Law, powers, sweep},
     near_vertex::{FEW, FOCAL_LENGTH, FRACTION, MOVED, PROMISED, SCATTER, position, stage},
     stage::{self, Stage},
+    work::{Cost, Work},
 };
 use crate::reference::random::Random;
 
@@ -34,6 +35,7 @@ pub(super) static S4: Family = Family {
     bound: "m / near 2^-12: 4 units of clip space for the ends and 4 for the cut (`ClipAll`), \
             in x or y and in w",
     end: "Beyond m = 1,024 near the object is refused (`PoseError`).",
+    cost: cost(&[flat(1024.0)], work::<FourBits>),
     measure: |instances| {
         let bound = |reach: f64| Some((reach / 4096.0).min(2.0 * PROMISED));
         sweep(powers(4, 12), instances, bound, error::<FourBits>)
@@ -53,21 +55,47 @@ pub(super) static S8: Family = Family {
     bound: "that of the edge's points: m / near 2^-9 up to m = 64 near, 1/8 beyond \
             (`ClipAll`, `PoseError`)",
     end: "Beyond m = 2^21 near the object is refused (`PoseError`).",
+    cost: cost(&[flat(2_097_152.0)], work::<EightBits>),
     measure: |instances| {
         let bound = |reach: f64| Some((reach / 512.0).min(PROMISED));
         sweep(powers(4, 22), instances, bound, error::<EightBits>)
     },
 };
 
+/// What is measured of a fan.
+const fn cost(laws: &'static [Law], work: fn(f64, &mut Random) -> Option<Work>) -> Cost {
+    Cost { of: "to clip the 63 triangles of the fan", laws, work }
+}
+
+/// Of cycles, up to a reach.
+const fn flat(most: f64) -> Law {
+    Law {
+        slope: 0.0,
+        tolerance: 0.05,
+        segment: [16.0, most],
+        why: "an edge is cut in as many steps wherever it meets the plane",
+    }
+}
+
 /// A fan of them leaves the vertex in the picture.
 const EDGES: u16 = 64;
 
-fn error<S: Subpixel>(reach: f64, random: &mut Random) -> Option<f64> {
-    let stage = loop {
+fn work<S: Subpixel>(reach: f64, random: &mut Random) -> Option<Work> {
+    let stage = instance(reach, random);
+    stage.corners::<S>().map(|_| Work::Clip(stage.scene::<S>()))
+}
+
+/// A fan that lies within a mesh.
+fn instance(reach: f64, random: &mut Random) -> Stage {
+    loop {
         if let Some(stage) = with_edges(reach, random) {
-            break stage;
+            return stage;
         }
-    };
+    }
+}
+
+fn error<S: Subpixel>(reach: f64, random: &mut Random) -> Option<f64> {
+    let stage = instance(reach, random);
     let camera = stage.definition();
     let corners = stage.corners::<S>()?;
     let ends: Vec<_> = stage.in_world().into_iter().map(|place| camera.to_view(place)).collect();

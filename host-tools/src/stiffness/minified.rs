@@ -22,7 +22,7 @@ use rasterizer::{
     camera::{Camera, Distance, Orthographic},
     geometry::{Pose, ScreenVertex},
     mesh::{Material, Mesh, Positions, Tables, TextureCoordinates, Triangles},
-    numbers::{Rotation, S8, Vec3},
+    numbers::{Rotation, S8, Scale, Vec3},
     output::Frame,
     scene::Object,
     shade::{OnScreen, Shader, Textured},
@@ -31,7 +31,8 @@ use rasterizer::{
 
 use super::{
     curve::{Family, Law, Point as CurvePoint, powers},
-    stage,
+    stage::{self, Lens, Stage},
+    work::{Cost, Scene, Work},
 };
 use crate::reference::random::Random;
 
@@ -63,6 +64,11 @@ pub(super) static NEAREST: Family = Family {
     ],
     bound: "the deviation of the texture, 73.9 greys, and a tenth for the sample",
     end: "It holds for all of them, and is of no use: a minified texture needs mip levels.",
+    cost: Cost {
+        of: "to draw the 16 x 16 pixels",
+        laws: &[flat()],
+        work: |scale, random| Some(work(scale, "Nearest", random)),
+    },
     measure: |instances| measure(instances, Nearest, |_| 1.1 * DEVIATION),
 };
 
@@ -81,10 +87,25 @@ pub(super) static MIPMAPS: Family = Family {
     }],
     bound: "the deviation of a pixel's average, and 1 grey for rounding",
     end: "Beyond the last level, of one texel, all pixels are alike, as they should be.",
+    cost: Cost {
+        of: "to draw the 16 x 16 pixels",
+        laws: &[],
+        work: |scale, random| Some(work(scale, "Trilinear(PerTriangle)", random)),
+    },
     measure: |instances| {
         measure(instances, Trilinear(PerTriangle), |scale| DEVIATION / scale.max(1.0) + 1.0)
     },
 };
+
+/// Of cycles.
+const fn flat() -> Law {
+    Law {
+        slope: 0.0,
+        tolerance: 0.05,
+        segment: [0.125, 64.0],
+        why: "a pixel has one texel; a cache in front of the texture, which suffers, is not counted",
+    }
+}
 
 /// Of 256 greys that are equally likely: the root of (256^2 - 1) / 12.
 const DEVIATION: f64 = 73.9;
@@ -136,23 +157,58 @@ fn levels(random: &mut Random) -> Box<[Gray8; TEXELS]> {
     greys.into_boxed_slice().try_into().expect("it has all levels")
 }
 
+/// The corners of the square.
+const POSITIONS: [[i16; 3]; 4] =
+    [[-HALF, -HALF, 0], [HALF, -HALF, 0], [HALF, HALF, 0], [-HALF, HALF, 0]];
+
+/// Their texture coordinates. v runs down.
+fn coordinates(scale: f64) -> [[i32; 2]; 4] {
+    let end = (f64::from(HALF) * scale / SIDE as f64 * 2f64.powi(24)) as i32;
+    [[-end, end], [end, end], [end, -end], [-end, -end]]
+}
+
+/// Where the square's middle is.
+fn place(random: &mut Random) -> [f64; 3] {
+    [random.real(-8.0, 8.0), random.real(-8.0, 8.0), -50.0]
+}
+
+/// Draws the square with a filter.
+fn work(scale: f64, filter: &'static str, random: &mut Random) -> Work {
+    let stage = Stage {
+        positions: POSITIONS.to_vec(),
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        scale: Scale::ONE,
+        pose: Pose::IDENTITY.at(stage::vector(place(random))),
+        eye: Vec3::ZERO,
+        lens: Lens::orthographic(Distance::ONE, Distance::from_num(100)),
+    };
+    let side = PIXELS as i32;
+    Work::DrawTexture {
+        scene: Scene {
+            texture_coordinates: coordinates(scale).to_vec(),
+            size: [PIXELS; 2],
+            ..stage.scene::<S8>()
+        },
+        part: [0, 0, side, side],
+        filter,
+        correction: "Affine".into(),
+    }
+}
+
 /// The mean square of the errors of a picture with `scale` texels a pixel.
 fn mean_square<'a, F>(greys: &'a [Gray8; TEXELS], filter: F, scale: f64, random: &mut Random) -> f64
 where
     F: Filter<Texture<'a>> + Copy + std::fmt::Debug,
 {
-    let end = (f64::from(HALF) * scale / SIDE as f64 * 2f64.powi(24)) as i32;
-    let positions = [[-HALF, -HALF, 0], [HALF, -HALF, 0], [HALF, HALF, 0], [-HALF, HALF, 0]];
-    // v runs down.
-    let coordinates = [[-end, end], [end, end], [end, -end], [-end, -end]];
+    let coordinates = coordinates(scale);
     let mesh = Mesh::new_const(Tables {
-        positions: Positions::I16(&positions),
+        positions: Positions::I16(&POSITIONS),
         texture_coordinates: TextureCoordinates::I32(&coordinates),
         triangles: Triangles::U8(&[[0, 1, 2], [0, 2, 3]]),
         materials: const { &[Material::new([255; 3], 2)] },
         ..Tables::EMPTY
     });
-    let place = [random.real(-8.0, 8.0), random.real(-8.0, 8.0), -50.0];
+    let place = place(random);
     let pose = Pose::IDENTITY.at(stage::vector(place));
     let picture = Rectangle::new(Point::zero(), Size::new(PIXELS, PIXELS));
     let height = Distance::from_num(PIXELS);

@@ -9,6 +9,9 @@
 //! On logarithmic axes the error is a line whose slope is known from theory: the family's [`Law`].
 //! Each family also has the bound that the documentation states, and says where it ends and what
 //! happens beyond. The tests assert slopes and bounds.
+//!
+//! A format can be exact and slow: each family also tells what the core does in some of its
+//! instances ([`Cost`]), so that cycles are measured beside errors.
 
 mod curve;
 mod cut_edge;
@@ -23,8 +26,10 @@ mod stage;
 mod tilt;
 mod turns;
 mod wall;
+mod work;
 
 pub use curve::{Curve, Family, Law, Point};
+pub use work::{Cost, Scene, Work};
 
 /// How many random instances a point has in the tests and in the published figures; where each of
 /// them has many pixels or results, a part of these.

@@ -4,10 +4,6 @@
 //! g near / w 2^D units. Planes of any slope are told apart if they are three units apart: one for
 //! the vertices of both, one for their pixels, and one between them.
 
-use embedded_graphics_core::{
-    geometry::{Point, Size},
-    primitives::Rectangle,
-};
 use rasterizer::{
     attribute::FloatDepth,
     camera::{Distance, Perspective},
@@ -17,8 +13,9 @@ use rasterizer::{
 };
 
 use super::{
-    curve::{Family, Law, Point as CurvePoint, powers},
-    stage::{self, Lens, SIZE, Stage},
+    curve::{Family, Law, Point, powers},
+    stage::{self, Lens, Stage},
+    work::{Cost, Work},
 };
 use crate::reference::random::Random;
 
@@ -45,6 +42,7 @@ pub(super) static U16: Family = Family {
             snapping",
     end: "From w / near = 21,845, where the farther plane has 3 units, a plane behind it is not \
           certain to be told apart from it, however far it is.",
+    cost: cost(&[flat(65_536.0)], |ratio, random| Planes::new(ratio, 1.0, random).work("u16")),
     measure: |instances| {
         measure::<u16>(powers(1, 16), instances, 1.0, |ratio| {
             // The nearer plane is 1 / (1 - g) times as deep.
@@ -77,6 +75,7 @@ pub(super) static FLOAT: Family = Family {
     bound: "3 x 2^-11 of w (`FloatDepth`)",
     end: "Beyond w / near = 2^20 a vertex has fewer bits than a step (`FloatDepth`), and the gap \
           grows with slope 1.",
+    cost: cost(&[flat(MOST)], |ratio, random| Planes::new(ratio, 1.0, random).work("FloatDepth")),
     measure: |instances| {
         measure::<FloatDepth>(powers(1, 26), instances, 1.0, |ratio| {
             (ratio <= 2f64.powi(20)).then_some(3.0 * 2f64.powi(-11) + SNAPPING)
@@ -100,6 +99,7 @@ pub(super) static U32: Family = Family {
     bound: "3 units, 2^-25 for the vertices of both planes, and 2^-17 for snapping (`u32` as a \
             `DepthFormat`)",
     end: "It has no end: world coordinates allow w / near = 2^31, and 2^26 is measured.",
+    cost: cost(&[flat(MOST)], |ratio, random| Planes::new(ratio, 1.0, random).work("u32")),
     measure: |instances| {
         measure::<u32>(powers(1, 26), instances, 1.0, |ratio| Some(wide(ratio) + SNAPPING))
     },
@@ -119,8 +119,27 @@ pub(super) static U32_FACING: Family = Family {
     }],
     bound: "3 units, and 2^-25 for the vertices of both planes (`u32` as a `DepthFormat`)",
     end: "It has no end: world coordinates allow w / near = 2^31, and 2^26 is measured.",
+    cost: cost(&[flat(MOST)], |ratio, random| Planes::new(ratio, 0.0, random).work("u32")),
     measure: |instances| measure::<u32>(powers(1, 26), instances, 0.0, |ratio| Some(wide(ratio))),
 };
+
+/// What is measured of the farther plane.
+const fn cost(laws: &'static [Law], work: fn(f64, &mut Random) -> Option<Work>) -> Cost {
+    Cost { of: "to draw the farther plane", laws, work }
+}
+
+/// Of cycles, up to a ratio.
+const fn flat(most: f64) -> Law {
+    Law {
+        slope: 0.0,
+        tolerance: 0.05,
+        segment: [2.0, most],
+        why: "numbers of any size take the same steps",
+    }
+}
+
+/// The largest ratio of all, which 2^26 is.
+const MOST: f64 = 67_108_864.0;
 
 /// A vertex is within 2^-27 by its reciprocal, and its distance within 4 units of clip space. The
 /// object reaches to 2 w at most, so that these are 2^-27 of w.
@@ -148,7 +167,7 @@ fn measure<D: StoredDepth>(
     instances: usize,
     tilt: f64,
     bound: impl Fn(f64) -> Option<f64>,
-) -> Vec<CurvePoint> {
+) -> Vec<Point> {
     let instances = instances.div_ceil(4);
     let point = |ratio| {
         let mut random = Random(1);
@@ -169,7 +188,7 @@ fn measure<D: StoredDepth>(
             let middle = (low + high).div_euclid(2);
             if is_resolved(gap(middle)) { high = middle } else { low = middle + 1 }
         }
-        CurvePoint {
+        Point {
             parameter: ratio,
             error: (high < 0).then(|| gap(high) * MILLIONTHS),
             bound: bound(ratio).map(|gap| gap * MILLIONTHS),
@@ -209,14 +228,22 @@ impl Planes {
         Self { stage, distance }
     }
 
-    /// The depths of the pixels with the plane nearer by a part of its distance.
+    /// The plane nearer by a part of its distance.
+    fn nearer(&self, gap: f64) -> Stage<Perspective> {
+        let place = stage::vector([0.0, 0.0, -self.distance * (1.0 - gap)]);
+        Stage { pose: self.stage.pose.at(place), ..self.stage.clone() }
+    }
+
+    /// The depths of its pixels.
     fn depths<D: StoredDepth>(&self, gap: f64) -> Vec<D> {
-        let distance = self.distance * (1.0 - gap);
-        let place = stage::vector([0.0, 0.0, -distance]);
-        let stage = Stage { pose: self.stage.pose.at(place), ..self.stage.clone() };
-        let [x, y] = SIZE.map(|side| (side - SIDE) as i32 / 2);
-        let part = Rectangle::new(Point::new(x, y), Size::new(SIDE, SIDE));
-        stage.depths::<S8, D>(part).expect("a plane is small compared with its distance")
+        let depths = self.nearer(gap).depths::<S8, D>(stage::middle(SIDE));
+        depths.expect("a plane is small compared with its distance")
+    }
+
+    /// Draws the farther one.
+    #[expect(clippy::unnecessary_wraps, reason = "the core refuses other families' objects")]
+    fn work(&self, depth: &'static str) -> Option<Work> {
+        Some(self.nearer(0.0).draw::<S8>(stage::middle(SIDE), depth))
     }
 }
 

@@ -12,6 +12,8 @@ use rasterizer::{
 use super::{
     curve::{Family, Law, Point, powers, sweep},
     fragments::{self, Exact, visit},
+    stage::{self, Stage},
+    work::{Cost, Work},
 };
 use crate::reference::random::Random;
 
@@ -21,15 +23,24 @@ random depths at the corners. Stored depth is compared with the plane through th
 exact integers.";
 
 /// In 16 bits.
-pub(super) static U16: Family = family("Slivers, u16", |instances| {
-    measure(instances, u32::from(u16::MAX), |depth| depth as u16)
-});
+pub(super) static U16: Family = family(
+    "Slivers, u16",
+    |altitude, random| Some(work("u16", altitude, random)),
+    |instances| measure(instances, u32::from(u16::MAX), |depth| depth as u16),
+);
 
 /// In 32 bits.
-pub(super) static U32: Family =
-    family("Slivers, u32", |instances| measure(instances, u32::MAX, |depth| depth));
+pub(super) static U32: Family = family(
+    "Slivers, u32",
+    |altitude, random| Some(work("u32", altitude, random)),
+    |instances| measure(instances, u32::MAX, |depth| depth),
+);
 
-const fn family(name: &'static str, measure: fn(usize) -> Vec<Point>) -> Family {
+const fn family(
+    name: &'static str,
+    work: fn(f64, &mut Random) -> Option<Work>,
+    measure: fn(usize) -> Vec<Point>,
+) -> Family {
     Family {
         name,
         about: ABOUT,
@@ -44,6 +55,25 @@ const fn family(name: &'static str, measure: fn(usize) -> Vec<Point>) -> Family 
         bound: "1 unit (the crate's table of numbers)",
         end: "It holds down to the least altitude, a sub-pixel. Without an area a triangle covers \
               no centre.",
+        cost: Cost {
+            of: "to draw the triangle",
+            laws: &[
+                Law {
+                    slope: 0.0,
+                    tolerance: 0.1,
+                    segment: [0.003_906_25, 0.25],
+                    why: "it has as many rows, and next to no pixels",
+                },
+                Law {
+                    slope: 0.7,
+                    tolerance: 0.15,
+                    segment: [16.0, 64.0],
+                    why: "its pixels grow with slope 1; set-up and rows, which do not, are a third \
+                          of the cycles",
+                },
+            ],
+            work,
+        },
         measure,
     }
 }
@@ -60,24 +90,36 @@ fn measure<D: DepthFormat + Into<i64>>(
 /// In pixels.
 const BASE: f64 = 64.0;
 
+/// The corners of a triangle in sub-pixels. The first is up to `away` pixels from the middle along
+/// each axis.
+fn corners(altitude: f64, away: f64, random: &mut Random) -> [[i32; 2]; 3] {
+    let unit = f64::from(1 << S8::BITS);
+    let [x, y] = [random.real(-away, away), random.real(-away, away)];
+    let (sin, cos) = random.real(0.0, std::f64::consts::TAU).sin_cos();
+    let along = random.real(0.0, BASE);
+    let corners = [
+        [x, y],
+        [x + cos * BASE, y + sin * BASE],
+        [x + cos * along - sin * altitude, y + sin * along + cos * altitude],
+    ];
+    corners.map(|corner| corner.map(|c| (c * unit).round() as i32))
+}
+
+/// Draws one that is in the picture.
+fn work(depth: &'static str, altitude: f64, random: &mut Random) -> Work {
+    let corners = corners(altitude, 30.0, random);
+    Stage::of_triangle(corners, random).draw::<S8>(stage::middle(240), depth)
+}
+
 fn error<D: DepthFormat + Into<i64>>(
     altitude: f64,
     most: u32,
     format: fn(u32) -> D,
     random: &mut Random,
 ) -> Option<f64> {
-    let unit = f64::from(1 << S8::BITS);
     let mut worst = None;
     while worst.is_none() {
-        let [x, y] = [random.real(-500.0, 500.0), random.real(-500.0, 500.0)];
-        let (sin, cos) = random.real(0.0, std::f64::consts::TAU).sin_cos();
-        let along = random.real(0.0, BASE);
-        let corners = [
-            [x, y],
-            [x + cos * BASE, y + sin * BASE],
-            [x + cos * along - sin * altitude, y + sin * along + cos * altitude],
-        ];
-        let corners = corners.map(|corner| corner.map(|c| (c * unit).round() as i32));
+        let corners = corners(altitude, 500.0, random);
         let depths = [(); 3].map(|()| random.real(1.0, f64::from(most)) as u32);
         let (exact, at_corners) = (Exact(corners), depths.map(i64::from));
         let vertices = fragments::corners(corners, depths.map(format));

@@ -16,6 +16,7 @@ use super::{
     curve::{Family, Law, powers, sweep},
     near_vertex::PROMISED,
     stage::{self, Lens, Stage},
+    work::{Cost, Work},
 };
 use crate::reference::{Camera, random::Random};
 
@@ -40,6 +41,7 @@ Q16.16, is compared with where they are in f64 without that rounding.",
             steps of the inputs",
     end: "It has no end: under 2.6 units the inputs' steps are more than the arithmetic's 5/8 of a \
           sub-pixel with S8, and under 0.16 units with S4. Give such a scene in larger units.",
+    cost: cost(&[flat(0.003_906_25, 16.0)], |size, random| work(size, 100.0, random)),
     measure: |instances| {
         sweep(
             powers(-8, 4),
@@ -66,6 +68,7 @@ world's origin; judged as above.",
     }],
     bound: "as above, 7.0 for this cube",
     end: "World coordinates end at 32,768 units.",
+    cost: cost(&[flat(1.0, 16_384.0)], |distance, random| work(0.25, distance, random)),
     measure: |instances| {
         sweep(
             powers(0, 14),
@@ -75,6 +78,21 @@ world's origin; judged as above.",
         )
     },
 };
+
+/// What is measured of a cube.
+const fn cost(laws: &'static [Law], work: fn(f64, &mut Random) -> Option<Work>) -> Cost {
+    Cost { of: "to place the corners", laws, work }
+}
+
+/// Of cycles.
+const fn flat(first: f64, last: f64) -> Law {
+    Law {
+        slope: 0.0,
+        tolerance: 0.05,
+        segment: [first, last],
+        why: "numbers of any size take the same steps",
+    }
+}
 
 /// In pixels.
 const FOCAL_LENGTH: f64 = 400.0;
@@ -89,24 +107,42 @@ fn bound(size: f64) -> f64 {
     0.5 + PROMISED + f64::from(1 << S8::BITS) * step
 }
 
-/// The world's origin is `distance` units away along each axis.
-fn error(size: f64, distance: f64, random: &mut Random) -> Option<f64> {
+/// A cube whose middle is at a place.
+fn stage(size: f64, place: [f64; 3], random: &mut Random) -> Stage {
     let corner =
         |i: usize| [0, 1, 2].map(|axis| if i >> axis & 1 == 0 { -i16::MAX } else { i16::MAX });
-    let place = [(); 3].map(|()| random.real(0.9, 1.0) * distance);
-    let eye = [place[0], place[1], place[2] + DISTANCE * size];
-    let stage = Stage {
+    Stage {
         positions: (0..8).map(corner).collect(),
         triangles: vec![[0, 1, 2]],
         scale: stage::scale(size / 2.0 / f64::from(i16::MAX)),
         pose: Pose::rotated(stage::rotation(random)).at(stage::vector(place)),
-        eye: stage::vector(eye),
+        eye: stage::vector(eye(size, place)),
         lens: Lens::perspective(
             Distance::from_num(FOCAL_LENGTH),
             Distance::from_num(size / 2.0),
             Distance::MAX,
         ),
-    };
+    }
+}
+
+/// Where the eye is.
+fn eye(size: f64, [x, y, z]: [f64; 3]) -> [f64; 3] {
+    [x, y, z + DISTANCE * size]
+}
+
+/// The world's origin is `distance` units away along each axis.
+fn place(distance: f64, random: &mut Random) -> [f64; 3] {
+    [(); 3].map(|()| random.real(0.9, 1.0) * distance)
+}
+
+fn work(size: f64, distance: f64, random: &mut Random) -> Option<Work> {
+    let stage = stage(size, place(distance, random), random);
+    stage.vertices::<S8>().map(|_| Work::Place(stage.scene::<S8>()))
+}
+
+fn error(size: f64, distance: f64, random: &mut Random) -> Option<f64> {
+    let place = place(distance, random);
+    let (stage, eye) = (stage(size, place, random), eye(size, place));
     // Where the rounded inputs put the corners, and by how much they are off themselves.
     let off = stage::numbers(stage.pose.translation);
     let camera = Camera { eye, target: [eye[0], eye[1], eye[2] - 1.0], ..stage.definition() };

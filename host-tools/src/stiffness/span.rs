@@ -13,6 +13,8 @@ use rasterizer::{
 use super::{
     curve::{Family, Law, powers, sweep},
     fragments::{self, Exact, visit},
+    stage::Stage,
+    work::{Cost, Scene, Work},
 };
 use crate::reference::random::Random;
 
@@ -39,6 +41,7 @@ pub(super) static U32: Family = Family {
     }],
     bound: "2^-18 for each column and row (`plane.rs`)",
     end: END,
+    cost: cost(|width, random| Some(work("u32", width, random))),
     measure: |instances| {
         let bound = |width| Some((width + ROWS) / 2f64.powi(18));
         // It counts modulo 2^50.
@@ -64,6 +67,7 @@ pub(super) static U16: Family = Family {
     }],
     bound: "1/4, 3/2 2^-16 for each column and row, and 2^-8 (`plane.rs`)",
     end: END,
+    cost: cost(|width, random| Some(work("u16", width, random))),
     measure: |instances| {
         let bound = |width| Some(0.25 + 1.5 * (width + ROWS) / 65_536.0 + 2f64.powi(-8));
         sweep(powers(3, 11), instances, bound, |width, random| {
@@ -72,8 +76,41 @@ pub(super) static U16: Family = Family {
     },
 };
 
+/// What is measured of a triangle.
+const fn cost(work: fn(f64, &mut Random) -> Option<Work>) -> Cost {
+    Cost {
+        of: "to draw the triangle",
+        laws: &[Law {
+            slope: 0.7,
+            tolerance: 0.15,
+            segment: [512.0, 2048.0],
+            why: "its pixels grow with slope 1; set-up and rows, which do not, are a third of the \
+                  cycles",
+        }],
+        work,
+    }
+}
+
 /// Of a triangle, at most.
 const ROWS: f64 = 5.0;
+
+/// The corners of a triangle in sub-pixels, which begins at a place.
+fn corners(width: f64, [left, top]: [f64; 2], random: &mut Random) -> [[i32; 2]; 3] {
+    let unit = f64::from(1 << S8::BITS);
+    // The guard band ends before its last sub-pixel does.
+    let width = width - 2.0 / unit;
+    let mut row = || top + random.real(0.0, 4.0);
+    let corners = [[left, row()], [left + width, row()], [left + width * 0.5, row()]];
+    corners.map(|corner| corner.map(|c| (c * unit) as i32))
+}
+
+/// Draws one into a picture as wide as the guard band.
+fn work(depth: &'static str, width: f64, random: &mut Random) -> Work {
+    let corners = corners(width, [-width / 2.0, -ROWS / 2.0], random);
+    let size = [2048, 8];
+    let scene = Scene { size, ..Stage::of_triangle(corners, random).scene::<S8>() };
+    Work::Draw { scene, part: [0, 0, 2048, 8], depth }
+}
 
 /// `stepped` returns a value with `bits` binary digits behind the point.
 fn error<D: DepthFormat>(
@@ -84,14 +121,8 @@ fn error<D: DepthFormat>(
     bits: u32,
     random: &mut Random,
 ) -> Option<f64> {
-    let unit = f64::from(1 << S8::BITS);
-    // The guard band ends before its last sub-pixel does.
     let left = random.real(-1024.0, 1024.0 - width);
-    let width = width - 2.0 / unit;
-    let top = random.real(-1000.0, 1000.0);
-    let mut row = || top + random.real(0.0, 4.0);
-    let corners = [[left, row()], [left + width, row()], [left + width * 0.5, row()]];
-    let corners = corners.map(|corner| corner.map(|c| (c * unit) as i32));
+    let corners = corners(width, [left, random.real(-1000.0, 1000.0)], random);
     let depths = [(); 3].map(|()| random.real(1.0, f64::from(most)) as u32);
     let (exact, at_corners) = (Exact(corners), depths.map(i64::from));
     let vertices = fragments::corners(corners, depths.map(format));

@@ -12,12 +12,13 @@ use rasterizer::{
     camera::{Camera, Distance, Orthographic, Perspective},
     geometry::{CullNone, Pose, ScreenVertex},
     mesh::{Material, Mesh, Positions, Tables, Triangles},
-    numbers::{Rotation, Scale, Subpixel, Turn, Vec3},
+    numbers::{Rotation, S8, Scale, Subpixel, Turn, Vec3},
     output::{Frame, StoredDepth},
     scene::{Modes, Object},
     shade::Unlit,
 };
 
+use super::work::{Scene, Work};
 use crate::reference::{Camera as Definition, Projection, Viewport, random::Random};
 
 /// Width and height of the picture in pixels.
@@ -68,6 +69,61 @@ impl Lens<Orthographic> {
                 near: near.to_num(),
                 far: far.to_num(),
             },
+        }
+    }
+}
+
+impl Stage<Orthographic> {
+    /// A triangle in the middle of the picture, whose corners are in sub-pixels of S8, or up to a
+    /// sub-pixel beside these if it is more than 127 pixels from there. Their depths are random.
+    pub(super) fn of_triangle(corners: [[i32; 2]; 3], random: &mut Random) -> Self {
+        // In quanta of a sub-pixel, or of more.
+        let reach = corners.as_flattened().iter().map(|c| c.abs()).max().unwrap_or(0);
+        let exponent = (0..).find(|&exponent| reach >> exponent < i32::from(i16::MAX)).unwrap_or(0);
+        // y points up in space.
+        let position = |[x, y]: [i32; 2]| {
+            let z = random.real(-32_000.0, 32_000.0);
+            [(x >> exponent) as i16, (-y >> exponent) as i16, z as i16]
+        };
+        let half = Distance::from_num(128 << exponent);
+        Self {
+            positions: corners.map(position).to_vec(),
+            triangles: vec![[0, 1, 2]],
+            scale: Scale::new(1 << 31, exponent - 31 - S8::BITS as i32),
+            pose: Pose::IDENTITY,
+            eye: Vec3::from_bits([0, 0, half.to_bits() as i32 + 65_536]),
+            lens: Lens::orthographic(Distance::ONE, half + half + Distance::ONE),
+        }
+    }
+}
+
+impl<P> Stage<P> {
+    /// Draws it into a part of the picture, with a type of depth.
+    pub(super) fn draw<S: Subpixel>(&self, part: Rectangle, depth: &'static str) -> Work {
+        Work::Draw { scene: self.scene::<S>(), part: area(part), depth }
+    }
+
+    /// Its numbers, with positions on the screen of a precision.
+    pub(super) fn scene<S: Subpixel>(&self) -> Scene {
+        let bits = |length: f64| Distance::saturating_from_num(length).to_bits();
+        let (focal_length, [near, far]) = match self.lens.definition {
+            Projection::Perspective { focal_length_px, near, far } => {
+                (Some(bits(focal_length_px)), [near, far])
+            }
+            Projection::Orthographic { near, far, .. } => (None, [near, far]),
+        };
+        Scene {
+            subpixel: if S::BITS == S8::BITS { "S8" } else { "S4" },
+            positions: self.positions.clone(),
+            texture_coordinates: Vec::new(),
+            triangles: self.triangles.clone(),
+            scale: (self.scale.mantissa(), self.scale.exponent()),
+            rotation: self.pose.rotation.rows().map(|row| row.map(|entry| entry.to_bits())),
+            translation: self.pose.translation.to_bits(),
+            eye: self.eye.to_bits(),
+            focal_length,
+            range: [near, far].map(bits),
+            size: SIZE,
         }
     }
 }
@@ -160,6 +216,18 @@ impl<P: rasterizer::geometry::Projection> Stage<P> {
     }
 }
 
+/// The square of `side` pixels in the middle of the picture.
+pub(super) fn middle(side: u32) -> Rectangle {
+    let [x, y] = SIZE.map(|whole| (whole as i32 - side as i32) / 2);
+    Rectangle::new(Point::new(x, y), Size::new(side, side))
+}
+
+/// The first column and row of a part of the picture, its width and its height.
+pub(super) const fn area(part: Rectangle) -> [i32; 4] {
+    let Rectangle { top_left, size } = part;
+    [top_left.x, top_left.y, size.width as i32, size.height as i32]
+}
+
 /// The coordinates of a vector.
 pub(super) fn numbers(vector: Vec3) -> [f64; 3] {
     vector.to_bits().map(|c| f64::from(c) / 65_536.0)
@@ -204,4 +272,26 @@ pub(super) fn distance<S: Subpixel>(place: [i32; 2], exact: [f64; 2]) -> f64 {
 pub(super) fn scale(length: f64) -> Scale {
     let exponent = length.log2().floor() as i32 - 31;
     Scale::new((length * 2f64.powi(-exponent)).round() as u32, exponent)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_triangle_has_its_corners_on_the_screen() {
+        let corners = [[-7_000, 12], [3, -9_111], [256, 8_000]];
+        let placed = Stage::of_triangle(corners, &mut Random(1)).vertices::<S8>().unwrap();
+        let middle = SIZE.map(|side| side as i32 / 2 * 256);
+        let expected = corners.map(|[x, y]| Some([middle[0] + x, middle[1] + y]));
+        assert_eq!(placed, expected);
+        // In quanta of two sub-pixels.
+        let wide = [[-40_000, 1], [3, -9_111], [256, 8_001]];
+        let placed = Stage::of_triangle(wide, &mut Random(1)).vertices::<S8>().unwrap();
+        for (place, [x, y]) in placed.into_iter().zip(wide) {
+            let [dx, dy] =
+                place.map(|place| [place[0] - middle[0] - x, place[1] - middle[1] - y]).unwrap();
+            assert!(dx.abs() <= 1 && dy.abs() <= 1, "{dx} {dy}");
+        }
+    }
 }

@@ -4,10 +4,7 @@
 //! through them is off by that times the change of depth from pixel to pixel: the tangent of the
 //! tilt, over the depth of the view in pixels.
 
-use embedded_graphics_core::{
-    geometry::{Point, Size},
-    primitives::Rectangle,
-};
+use embedded_graphics_core::geometry::Point;
 use rasterizer::{
     camera::{Distance, Orthographic},
     geometry::Pose,
@@ -17,7 +14,8 @@ use rasterizer::{
 use super::{
     curve::{Family, Law, powers, sweep},
     near_vertex::PROMISED,
-    stage::{self, Lens, SIZE, Stage},
+    stage::{self, Lens, Stage},
+    work::Cost,
 };
 use crate::reference::random::Random;
 
@@ -40,6 +38,17 @@ compared with the square's plane in f64 at the pixels' centres.",
     bound: "5/8 of a sub-pixel (`PoseError`) in x and in y, times the change of depth",
     end: "Where the square is less than a few sub-pixels high, from a tangent of 2^20, it covers \
           few centres or none, and what is drawn has a depth of the square, not of the place.",
+    cost: Cost {
+        of: "to draw the square",
+        laws: &[Law {
+            slope: 0.0,
+            tolerance: 0.05,
+            segment: [4.0, 512.0],
+            why: "it covers as many pixels until the depth range ends, and gradients of any size \
+                  take the same steps",
+        }],
+        work: |tangent, random| Some(stage(tangent, random).draw::<S8>(stage::middle(SIDE), "u32")),
+    },
     measure: |instances| sweep(powers(0, 24), instances, |tangent| Some(bound(tangent)), error),
 };
 
@@ -59,7 +68,8 @@ fn bound(tangent: f64) -> f64 {
 /// Width and height of the part of the picture that shows all of the square, in pixels.
 const SIDE: u32 = 130;
 
-fn error(tangent: f64, random: &mut Random) -> Option<f64> {
+/// The square.
+fn stage(tangent: f64, random: &mut Random) -> Stage<Orthographic> {
     let half = (30.0 * tangent).min(HALF_RANGE);
     let angle = tangent.atan() / std::f64::consts::TAU * 2f64.powi(32);
     let tilt = Rotation::about_x(Turn::from_bits(angle as u32));
@@ -67,17 +77,19 @@ fn error(tangent: f64, random: &mut Random) -> Option<f64> {
     let place = [random.real(-20.0, 20.0), random.real(-20.0, 20.0), 0.0];
     // Along x it is as wide as the picture.
     let [x, y] = [(30.0 / half * 32_767.0) as i16, i16::MAX];
-    let stage = Stage::<Orthographic> {
+    Stage {
         positions: vec![[-x, -y, 0], [x, -y, 0], [x, y, 0], [-x, y, 0]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
         scale: stage::scale(half / 32_767.0),
         pose: Pose::rotated(after * tilt).at(stage::vector(place)),
         eye: Vec3::lit("0", "0", "30001"),
         lens: Lens::orthographic(Distance::ONE, Distance::from_num(RANGE + 1.0)),
-    };
-    let corner = SIZE.map(|side| (side - SIDE) / 2);
-    let part =
-        Rectangle::new(Point::new(corner[0] as i32, corner[1] as i32), Size::new(SIDE, SIDE));
+    }
+}
+
+fn error(tangent: f64, random: &mut Random) -> Option<f64> {
+    let stage = stage(tangent, random);
+    let part = stage::middle(SIDE);
     let depths = stage.depths::<S8, u32>(part)?;
     // The plane through three corners.
     let camera = stage.definition();
@@ -93,8 +105,9 @@ fn error(tangent: f64, random: &mut Random) -> Option<f64> {
     let mut worst = None;
     for (index, &depth) in (0u32..).zip(&depths) {
         if depth != 0 {
+            let Point { x, y } = part.top_left;
             let [column, row] =
-                [index % SIDE + corner[0], index / SIDE + corner[1]].map(|c| f64::from(c) + 0.5);
+                [index % SIDE + x as u32, index / SIDE + y as u32].map(|c| f64::from(c) + 0.5);
             let exact = a.depth + gradient[0] * (column - a.x) + gradient[1] * (row - a.y);
             let off = (f64::from(depth) * 2f64.powi(-32) - exact).abs() / UNIT;
             worst = Some(off.max(worst.unwrap_or(0.0)));

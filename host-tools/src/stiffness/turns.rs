@@ -12,6 +12,7 @@ use rasterizer::numbers::Rotation;
 use super::{
     curve::{Family, Law, Point},
     stage,
+    work::{Cost, Work},
 };
 use crate::reference::random::Random;
 
@@ -45,6 +46,7 @@ pub(super) static RANDOM: Family = Family {
     ],
     bound: BOUND,
     end: END,
+    cost: cost(|count, _| work(count, false)),
     measure: |instances| {
         measure(instances, stated, |rotation, _, random| about_an_axis(random) * rotation)
     },
@@ -64,6 +66,7 @@ pub(super) static REPEATED: Family = Family {
     }],
     bound: BOUND,
     end: END,
+    cost: cost(|count, _| work(count, false)),
     measure: |instances| measure(instances, stated, |rotation, repeated, _| repeated * rotation),
 };
 
@@ -81,11 +84,33 @@ pub(super) static COMPOSED: Family = Family {
     }],
     bound: "2^-26 (`Rotation::compose`)",
     end: "It has no end.",
+    cost: cost(|count, _| work(count, true)),
     measure: |instances| {
         let kept = |_| 2f64.powi(-26);
         measure(instances, kept, |rotation, _, random| about_an_axis(random).compose(rotation))
     },
 };
+
+/// What is measured of an instance.
+const fn cost(work: fn(f64, &mut Random) -> Option<Work>) -> Cost {
+    Cost {
+        of: "to compose them",
+        laws: &[Law {
+            slope: 1.0,
+            tolerance: 0.05,
+            segment: [1.0, LONGEST],
+            why: "each takes as long",
+        }],
+        work,
+    }
+}
+
+/// The most compositions whose run time is measured.
+const LONGEST: f64 = 4096.0;
+
+fn work(count: f64, restores: bool) -> Option<Work> {
+    (count <= LONGEST).then_some(Work::Compose { count: count as u32, restores })
+}
 
 /// Of an entry, from 0 to 1.
 const STEPS: f64 = (1 << 30) as f64;

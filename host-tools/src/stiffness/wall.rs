@@ -10,13 +10,16 @@ use rasterizer::{
         Correction, Every, EveryPixel, Interpolate, InverseW, NoDepth, PerspectiveCorrect,
         Varyings as _,
     },
-    geometry::ScreenVertex,
-    numbers::{S8, Subpixel as _},
+    camera::Distance,
+    geometry::{Pose, ScreenVertex},
+    numbers::{S8, Subpixel as _, Vec3},
 };
 
 use super::{
     curve::{Family, Law, powers, sweep},
     fragments::{Exact, visit},
+    stage::{self, Lens, SIZE, Stage},
+    work::{Cost, Scene, Work},
 };
 use crate::reference::{chord_error, random::Random};
 
@@ -39,6 +42,16 @@ The number changes by its whole range along the wall.",
             (the crate's table of numbers)",
     end: "Steps have 64 pixels at most. Where r - 1 is over 1/4 in a step, from 37 pixels on, the \
           slope falls below 2, and the bound with it.",
+    cost: Cost {
+        of: "to draw the wall with a texture",
+        laws: &[Law {
+            slope: -0.6,
+            tolerance: 0.2,
+            segment: [2.0, 16.0],
+            why: "divisions are one in k pixels; pixels, rows and the set-up are the rest",
+        }],
+        work: |step, random| Some(work(step, random)),
+    },
     measure: |instances| {
         // One in twenty: each has thousands of pixels.
         let instances = instances.div_ceil(20);
@@ -73,6 +86,39 @@ fn bound(step: f64) -> f64 {
     let chord = if step > 1.0 { chord_error(step * per_pixel / ratio, ratio) } else { 0.0 };
     chord + per_pixel / 256.0
 }
+
+/// Draws one in the middle of the picture, with texture coordinates for the number.
+fn work(step: f64, random: &mut Random) -> Work {
+    let ratio = random.real(0.9, 1.0) * RECEDES;
+    // The focal length is as many pixels as the wall is wide, and its near end one unit away.
+    let corner = |is_far: bool, side: f64| {
+        let distance = if is_far { ratio } else { 1.0 };
+        let x = if is_far { 0.5 } else { -0.5 } * distance;
+        [x, side * 10.0 / WIDTH, -distance].map(|c| (c * UNIT) as i16)
+    };
+    let corners = [false, true].map(|is_far| [-1.0, 1.0].map(|side| corner(is_far, side)));
+    let stage = Stage {
+        positions: corners.as_flattened().to_vec(),
+        triangles: vec![[0, 1, 2], [1, 3, 2]],
+        scale: stage::scale(1.0 / UNIT),
+        pose: Pose::IDENTITY,
+        eye: Vec3::ZERO,
+        lens: Lens::perspective(Distance::from_num(WIDTH), Distance::ONE / 2, Distance::MAX),
+    };
+    let end = 1 << 24;
+    Work::DrawTexture {
+        scene: Scene {
+            texture_coordinates: vec![[0, 0], [0, end], [end, 0], [end, end]],
+            ..stage.scene::<S8>()
+        },
+        part: [0, 0, SIZE[0] as i32, SIZE[1] as i32],
+        filter: "Nearest",
+        correction: if step == 1.0 { "EveryPixel".into() } else { format!("Every::<{step}>") },
+    }
+}
+
+/// Quanta in a unit.
+const UNIT: f64 = 8192.0;
 
 fn error<M: Correction>(random: &mut Random) -> f64 {
     let (ratio, unit) = (random.real(0.9, 1.0) * RECEDES, f64::from(1 << S8::BITS));

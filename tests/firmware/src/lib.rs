@@ -19,5 +19,6 @@ pub mod readme;
 pub mod scaling;
 pub mod shiny;
 pub mod sizes;
+pub mod stiff;
 pub mod surface;
 pub mod walk;

@@ -52,6 +52,11 @@ pub(crate) fn build_planned(core: Option<Core>, planned: &Path) -> Result<PathBu
     around(core, "planned", "PLANNED", planned)
 }
 
+/// Builds the program of the stiff problems in a file of Rust, in the same way.
+pub(crate) fn build_stiff(core: Core, instances: &Path) -> Result<PathBuf> {
+    around(Some(core), "stiff", "STIFF", instances)
+}
+
 /// Builds a program around a file of Rust, which an environment variable names. A feature of the
 /// same name keeps it out of other builds.
 fn around(core: Option<Core>, name: &str, variable: &str, file: &Path) -> Result<PathBuf> {
