@@ -46,6 +46,9 @@ pub enum Form {
 /// core promises nothing of normals.
 const MOST_UNEVEN: f64 = 1_000.0;
 
+/// The least stretch of a matrix that the core's limits count with.
+const LEAST_STRETCH: f64 = 1.0 / 4096.0;
+
 /// The step of the way between two shapes.
 const PROGRESS: f64 = 1.0 / 32_768.0;
 
@@ -223,16 +226,53 @@ impl Form {
 
     /// Where the middle of the box of the tables lies in the form: between shapes, of that of all.
     pub(super) fn middle(self, model: &Model) -> [f64; 3] {
+        let [low, high] = self.box_in_quanta(model);
+        self.place(model, [0, 1, 2].map(|i| (low[i] + high[i]) / 2.0))
+    }
+
+    /// Where the corners of that box lie in the form.
+    pub(super) fn box_corners(self, model: &Model) -> [[f64; 3]; 8] {
+        let ends = self.box_in_quanta(model);
+        let corner = |number: usize| [0, 1, 2].map(|i| ends[number >> i & 1][i]);
+        std::array::from_fn(|number| self.place(model, corner(number)))
+    }
+
+    /// The least and the largest coordinates of the tables: between shapes, of those of all.
+    fn box_in_quanta(self, model: &Model) -> [[f64; 3]; 2] {
         let of_all = self.shapes(model).flatten();
-        let ends = of_all.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], p| {
+        of_all.fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], p| {
             let p = p.map(f64::from);
             [[0, 1, 2].map(|i| low[i].min(p[i])), [0, 1, 2].map(|i| high[i].max(p[i]))]
-        });
-        let middle = place(model, [0, 1, 2].map(|i| (ends[0][i] + ends[1][i]) / 2.0));
+        })
+    }
+
+    /// The place in the form, in model units, of a position in quanta.
+    fn place(self, model: &Model, quanta: [f64; 3]) -> [f64; 3] {
+        let modelled = place(model, quanta);
         match self.rounded() {
-            Self::Shaped(map) => map.point(middle),
-            _ => middle,
+            Self::Shaped(map) => map.point(modelled),
+            Self::AsModelled | Self::Between { .. } => modelled,
         }
+    }
+
+    /// Where the origin of the tables lies in the form, and the largest magnitude of a coordinate
+    /// from there, in model units: what [`PoseError`](rasterizer::geometry::PoseError) calls h. A
+    /// matrix multiplies it by the largest sum of the magnitudes in a row or a column, rounded up
+    /// to a power of two, as [`Shaped`](rasterizer::geometry::Shaped) states.
+    pub(super) fn extent(self, model: &Model) -> ([f64; 3], f64) {
+        let step = f64::from(model.scale.mantissa()) * 2f64.powi(model.scale.exponent());
+        let ends = self.box_in_quanta(model);
+        let most = ends.as_flattened().iter().fold(0f64, |most, c| most.max(c.abs()));
+        let stretch = match self.rounded() {
+            Self::Shaped(LinearMap { rows }) => {
+                let row = |i: usize| rows[i].iter().map(|c| c.abs()).sum::<f64>();
+                let column = |i: usize| rows.iter().map(|row| row[i].abs()).sum::<f64>();
+                let sum = [0, 1, 2].map(|i| row(i).max(column(i))).into_iter().fold(0.0, f64::max);
+                sum.max(LEAST_STRETCH).log2().ceil().exp2()
+            }
+            Self::AsModelled | Self::Between { .. } => 1.0,
+        };
+        (self.place(model, [0.0; 3]), stretch * step * most)
     }
 
     /// The positions of the shapes that the core's box is about, in quanta.

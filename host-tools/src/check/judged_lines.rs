@@ -1,10 +1,10 @@
 //! Lines and points of a model against their definitions: which pixels they own, their depth and
 //! their colour, where surfaces hide them and where they don't.
 //!
-//! Each table of lines or points is drawn by the core over what is there. The reference gets the
-//! ends as the core places them, clipped or not, and decides for each pixel which of the lines own
-//! it, how deep they are there and which colours they have. Vertices are judged by themselves
-//! ([`Vertices`](super::Vertices)).
+//! Each table of lines or points is drawn by the core over what is there. Its ends, clipped or not,
+//! are judged against the exact ones ([`LineEnds`](super::line_ends::LineEnds)). The reference then
+//! gets them as the core places them, and decides for each pixel which of the lines own it, how
+//! deep they are there and which colours they have.
 
 use std::convert::Infallible;
 
@@ -38,6 +38,49 @@ pub struct LineOutcome {
     pub line_color_max_error: f64,
     /// The first pixel that is wrong.
     pub line_first_wrong: Option<[usize; 2]>,
+    /// Lines and points that are in the view, but that the core leaves out.
+    pub lines_missing: usize,
+    /// Lines and points that are not in the view, but that the core draws.
+    pub lines_extra: usize,
+    /// The ends that are compared with exact ones: two of a line, one of a point.
+    pub line_ends: usize,
+    /// Those where a plane cuts a line.
+    pub line_ends_cut: usize,
+    /// The largest error of a place, in x or y in pixels, as a part of its bound.
+    pub line_end_place: Option<LineEndError>,
+    /// The same of a depth, in units of 2^-32.
+    pub line_end_depth: Option<LineEndError>,
+    /// The same of a colour channel, in 8-bit steps, if vertices have colours.
+    pub line_end_color: Option<LineEndError>,
+}
+
+/// How far an end of a line, or a point, is off where it belongs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "cli", derive(serde::Serialize))]
+pub struct LineEndError {
+    /// The vertices of the line in the tables; that of a point twice.
+    pub vertices: [usize; 2],
+    /// How far it is off.
+    pub error: f64,
+    /// How far it may be.
+    pub bound: f64,
+}
+
+impl LineEndError {
+    /// Whether it keeps its bound.
+    #[must_use]
+    pub fn is_within(&self) -> bool {
+        self.error <= self.bound
+    }
+}
+
+/// The error that is the larger part of its bound.
+pub(super) fn worse(
+    one: Option<LineEndError>,
+    other: Option<LineEndError>,
+) -> Option<LineEndError> {
+    let (Some(a), Some(b)) = (one, other) else { return one.or(other) };
+    if b.error * a.bound > a.error * b.bound { other } else { one }
 }
 
 impl LineOutcome {
@@ -46,10 +89,13 @@ impl LineOutcome {
     /// How far a channel may be off, in 8-bit steps: rounding on both sides, as of triangles.
     pub const COLOR_MAX_ERROR: f64 = 1.0;
 
-    /// Whether no pixel is wrong, and depth and colours keep their bounds.
+    /// Whether no pixel is wrong, no line is missing or there without belonging there, and ends,
+    /// depth and colours keep their bounds.
     #[must_use]
     pub fn is_within(&self) -> bool {
-        self.line_coverage_mismatches == 0
+        let ends = [self.line_end_place, self.line_end_depth, self.line_end_color];
+        self.line_coverage_mismatches + self.lines_missing + self.lines_extra == 0
+            && ends.iter().flatten().all(LineEndError::is_within)
             && self.line_depth_max_ulp <= Self::DEPTH_MAX_ULP
             && self.line_color_max_error <= Self::COLOR_MAX_ERROR
     }
@@ -67,6 +113,13 @@ impl LineOutcome {
             line_depth_max_ulp: self.line_depth_max_ulp.max(other.line_depth_max_ulp),
             line_color_max_error: self.line_color_max_error.max(other.line_color_max_error),
             line_first_wrong: self.line_first_wrong.or(other.line_first_wrong),
+            lines_missing: self.lines_missing + other.lines_missing,
+            lines_extra: self.lines_extra + other.lines_extra,
+            line_ends: self.line_ends + other.line_ends,
+            line_ends_cut: self.line_ends_cut + other.line_ends_cut,
+            line_end_place: worse(self.line_end_place, other.line_end_place),
+            line_end_depth: worse(self.line_end_depth, other.line_end_depth),
+            line_end_color: worse(self.line_end_color, other.line_end_color),
         }
     }
 }
@@ -91,12 +144,24 @@ impl Canvas {
     }
 }
 
-/// A place on the screen, its depth in units of 2^-32 and its colour.
+/// A vertex as the core places it: the place on the screen in sub-pixels, its depth in units of
+/// 2^-32 and its colour.
 #[derive(Clone, Copy, Debug)]
-struct End {
-    place: [i64; 2],
-    depth: f64,
-    color: [f64; 3],
+pub(super) struct End {
+    pub(super) place: [i64; 2],
+    pub(super) depth: f64,
+    pub(super) color: [f64; 3],
+}
+
+impl End {
+    /// Of a vertex that is on the screen.
+    pub(super) fn of<S: Subpixel, V: rasterizer::attribute::Interpolate>(
+        vertex: &ScreenVertex<S, u32, V>,
+        color: [f64; 3],
+    ) -> Option<Self> {
+        let place = vertex.position()?.map(i64::from);
+        Some(Self { place, depth: vertex.depth().into(), color })
+    }
 }
 
 /// Lines or points that own a pixel, with what they have there.
@@ -134,22 +199,8 @@ impl Owners {
         &self.options
     }
 
-    fn end<S: Subpixel, V: rasterizer::attribute::Interpolate>(
-        vertex: &ScreenVertex<S, u32, V>,
-        color: [f64; 3],
-    ) -> Option<End> {
-        let place = vertex.position()?.map(i64::from);
-        Some(End { place, depth: vertex.depth().into(), color })
-    }
-
-    /// Adds a line between two vertices in their colours.
-    pub(super) fn add_line<S: Subpixel, V: rasterizer::attribute::Interpolate>(
-        &mut self,
-        ends: [&ScreenVertex<S, u32, V>; 2],
-        colors: [[f64; 3]; 2],
-    ) {
-        let ends = [0, 1].map(|i| Self::end(ends[i], colors[i]));
-        let [Some(from), Some(to)] = ends else { return };
+    /// Adds a line between two ends.
+    pub(super) fn add_line(&mut self, [from, to]: [End; 2]) {
         self.lines += 1;
         let width = u32::from(self.options.line_width);
         let line = Line { ends: [from.place, to.place], subpixel_bits: self.subpixel_bits, width };
@@ -179,13 +230,8 @@ impl Owners {
         }
     }
 
-    /// Adds a point at a vertex in its colour.
-    pub(super) fn add_point<S: Subpixel, V: rasterizer::attribute::Interpolate>(
-        &mut self,
-        vertex: &ScreenVertex<S, u32, V>,
-        color: [f64; 3],
-    ) {
-        let Some(End { place, depth, color }) = Self::end(vertex, color) else { return };
+    /// Adds a point.
+    pub(super) fn add_point(&mut self, End { place, depth, color }: End) {
         self.points += 1;
         let size = u32::from(self.options.point_size);
         let point = Point { place, subpixel_bits: self.subpixel_bits, size };

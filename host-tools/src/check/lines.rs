@@ -20,7 +20,8 @@ use super::{
     Blending, FixedPicture, LineOutcome, Pixel,
     display::rgb888,
     form::{Formed, UseObject, in_form},
-    judged_lines::{Canvas, Owners},
+    judged_lines::{Canvas, End, Owners},
+    line_ends::LineEnds,
     shading,
     view::{View, ViewError},
 };
@@ -268,48 +269,77 @@ impl Element<'_> {
         }
     }
 
-    /// Adds what the core draws to the definitions. `color` returns that of a vertex, if vertices
-    /// have colours.
+    /// Adds what the core draws to the definitions, and judges its ends against the exact ones.
+    /// `color` returns the colour of a vertex, if vertices have colours.
     fn define<V, P, Sh, M>(
         &self,
         model: &Model,
+        mesh: &Mesh<'_>,
         seen: &Projected<'_, V, P, Sh, M>,
         color: impl Fn(OnScreen<Sh>) -> Option<[f64; 3]>,
+        exact: &LineEnds,
         owners: &mut Owners,
-    ) where
+    ) -> LineOutcome
+    where
         V: Vertices<OnScreen<Sh>, Depth = u32>,
         P: geometry::Projection,
         Sh: Shader<Color = Rgb888>,
         M: Mode,
     {
-        let edge_color = owners.options().edge_color.map(f64::from);
-        let of_material = |material: usize| {
-            model.materials.get(material).map_or([0.0; 3], |m| m.color.map(f64::from))
+        let has_colors = !matches!(self, Self::Edges(_)) && !model.vertex_colors.is_empty();
+        let plain = match self {
+            Self::Edges(_) => owners.options().edge_color,
+            Self::Points(material, _) | Self::Lines(material, _) => {
+                model.materials.get(*material).map_or([0; 3], |m| m.color)
+            }
+        }
+        .map(f64::from);
+        let end = |vertex: &ScreenVertex<_, _, _>| {
+            let own = if has_colors { color(vertex.varyings()) } else { None };
+            End::of(vertex, own.unwrap_or(plain))
         };
-        let Ok(()) = match self {
-            Self::Points(material, points) => seen.points(points).for_each_point(|vertex| {
-                let color = color(vertex.varyings()).unwrap_or_else(|| of_material(*material));
-                owners.add_point(vertex, color);
-                Ok::<(), Infallible>(())
-            }),
-            Self::Lines(material, lines) => seen.lines(lines).for_each_line(|ends| {
-                let color = |end: &ScreenVertex<_, _, _>| {
-                    color(end.varyings()).unwrap_or_else(|| of_material(*material))
-                };
-                owners.add_line(ends, ends.map(color));
-                Ok(())
-            }),
-            Self::Edges(lines) => seen.lines(lines).for_each_line(|ends| {
-                owners.add_line(ends, [edge_color; 2]);
-                Ok(())
-            }),
-        };
+        let mut found = LineOutcome::default();
+        // Each by itself, which tells whether it is left out.
+        match self {
+            Self::Points(_, points) => {
+                let indices = points.indices();
+                for vertex in (0..indices.len()).map_while(|index| indices.get(index)) {
+                    let mut drawn = None;
+                    let index = [vertex as u16];
+                    let alone = Points::new_const(mesh, PointIndices::U16(&index));
+                    let Ok(()) = seen.points(&alone).for_each_point(|vertex| {
+                        drawn = end(vertex);
+                        Ok::<(), Infallible>(())
+                    });
+                    found = found.and(exact.judge([vertex; 2], drawn.as_slice(), has_colors));
+                    drawn.into_iter().for_each(|end| owners.add_point(end));
+                }
+            }
+            Self::Lines(_, lines) | Self::Edges(lines) => {
+                let segments = lines.segments();
+                for vertices in (0..segments.len()).map_while(|index| segments.get(index)) {
+                    let mut drawn = Vec::new();
+                    let pair = [vertices.map(|vertex| vertex as u16)];
+                    let alone = Lines::new_const(mesh, Segments::U16(&pair));
+                    let Ok(()) = seen.lines(&alone).for_each_line(|ends| {
+                        drawn.extend(ends.into_iter().filter_map(end));
+                        Ok::<(), Infallible>(())
+                    });
+                    found = found.and(exact.judge(vertices, &drawn, has_colors));
+                    if let [from, to] = drawn[..] {
+                        owners.add_line([from, to]);
+                    }
+                }
+            }
+        }
+        found
     }
 }
 
 /// Judges the [edges](Model::edges), lines and points of a model against their definitions: see
 /// [`LineOutcome`]. In the view's precision and with 32 bits of depth; where surfaces hide them, by
-/// the depth that the core draws.
+/// the depth that the core draws. Their ends are judged against those that exact arithmetic gives
+/// the tables, cut by the planes of the view.
 ///
 /// # Errors
 ///
@@ -360,13 +390,14 @@ where
         if options.hides(view) {
             canvas.draw(view, |frame| seen.draw_depth(frame))?;
         }
+        let exact = LineEnds::new(model, &view.rounded());
         let mut found = LineOutcome::default();
         for_each_element(model, &mesh, options.edges, |element| {
             let before = canvas.clone();
             canvas.draw(view, |frame| element.draw(options, &seen, frame))?;
             let mut owners = Owners::new::<S>(view, options);
-            element.define(model, &seen, &color, &mut owners);
-            found = found.and(owners.judge(&before, &canvas));
+            let ends = element.define(model, &mesh, &seen, &color, &exact, &mut owners);
+            found = found.and(ends).and(owners.judge(&before, &canvas));
             Ok::<(), ViewError>(())
         })?;
         Ok(found)

@@ -23,7 +23,7 @@
 use super::view::View;
 use crate::{
     model::Model,
-    reference::{Camera, HalfSpace, Plane, Projection},
+    reference::{Camera, HalfSpace, Plane, Projection, part_inside},
 };
 
 /// In sub-pixels: rounding to the nearest.
@@ -35,7 +35,7 @@ const CUT: f64 = 3.0;
 /// In sub-pixels: a corner on the right or lower end of the guard band moves into its last one.
 const GUARD_END: f64 = 1.0;
 /// How far the guard band reaches from the middle, in pixels.
-const GUARD: f64 = 1024.0;
+pub(super) const GUARD: f64 = 1024.0;
 /// The most by which an entry of the view's matrix is off. Entries are in Q30: of six rotations,
 /// three of the model and three of the world, each rounded, with five products; and of the camera's
 /// axes, one of them a product of the others, with one more product.
@@ -119,7 +119,13 @@ impl Placement {
 
     /// In pixels: how far a vertex of the tables may lie from where exact arithmetic puts it.
     pub(super) fn of_arithmetic(&self) -> f64 {
-        (SNAPPING + ARITHMETIC) * self.subpixel
+        self.of_cut(0)
+    }
+
+    /// In pixels: the same for an end of a line that up to this number of planes cut: of a vertex,
+    /// and the error that the core's documentation allows each cut besides.
+    pub(super) fn of_cut(&self, planes: usize) -> f64 {
+        (SNAPPING + ARITHMETIC * (1 + planes) as f64) * self.subpixel
     }
 
     /// In pixels: how far a vertex at a place in view space may lie from there. Infinite at the
@@ -144,22 +150,12 @@ impl Placement {
 
     /// The piece of an edge that the planes leave if they lie farther outside by `outward` times
     /// their margins; `None` if they leave none.
-    pub(super) fn between(&self, mut ends: [[f64; 3]; 2], outward: f64) -> Option<Piece> {
-        let mut is_cut = false;
-        for CutPlane { side, margin } in &self.planes {
-            let depths = ends.map(|end| side.depth(end));
-            is_cut |= depths[0].min(depths[1]) <= *margin;
-            let [from, to] = depths.map(|depth| depth + outward * margin);
-            if from < 0.0 && to < 0.0 {
-                return None;
-            }
-            if from < 0.0 || to < 0.0 {
-                let t = from / (from - to);
-                let crossing = [0, 1, 2].map(|i| ends[0][i] + t * (ends[1][i] - ends[0][i]));
-                ends[usize::from(to < 0.0)] = crossing;
-            }
-        }
-        Some(Piece { ends, is_cut })
+    pub(super) fn between(&self, ends: [[f64; 3]; 2], outward: f64) -> Option<Piece> {
+        let is_near =
+            |plane: &CutPlane| ends.iter().any(|&end| plane.side.depth(end) <= plane.margin);
+        let moved = |plane: &CutPlane| plane.side.widened(outward * plane.margin);
+        let part = part_inside(ends, self.planes.iter().map(moved))?;
+        Some(Piece { ends: part.map(|t| along(ends, t)), is_cut: self.planes.iter().any(is_near) })
     }
 
     /// In eighths of a sub-pixel: the arithmetic of a corner that planes may cut.
@@ -208,26 +204,15 @@ impl Placement {
     fn beside_picture(&self, ends: [[f64; 3]; 2]) -> [[f64; 3]; 2] {
         const BESIDE: f64 = 64.0;
         let viewport = self.camera.viewport;
-        // Positive on the inner side of each of the four planes through the picture's sides, for
-        // view space and homogeneous coordinates alike.
         let half = [viewport.width, viewport.height].map(|side| side / 2.0 + BESIDE);
-        let inside = |p: [f64; 3], axis: usize, sign: f64| match self.camera.projection {
-            Projection::Perspective { focal_length_px, .. } => {
-                half[axis] * -p[2] - sign * focal_length_px * p[axis]
-            }
-            Projection::Orthographic { pixels_per_unit, .. } => {
-                half[axis] - sign * pixels_per_unit * p[axis]
-            }
-        };
         let [mut a, mut b] = ends;
-        for (axis, sign) in [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)] {
-            let (at_a, at_b) = (inside(a, axis, sign), inside(b, axis, sign));
+        for side in self.aside(half) {
+            let (at_a, at_b) = (side.depth(a), side.depth(b));
             if at_a <= 0.0 && at_b <= 0.0 {
                 // Beside the picture: its nearest point is as good as any.
                 continue;
             }
-            let t = at_a / (at_a - at_b);
-            let crossing = [0, 1, 2].map(|i| a[i] + t * (b[i] - a[i]));
+            let crossing = along([a, b], at_a / (at_a - at_b));
             if at_a < 0.0 {
                 a = crossing;
             } else if at_b < 0.0 {
@@ -235,6 +220,24 @@ impl Placement {
             }
         }
         [a, b]
+    }
+
+    /// What lies in front of the eye within some pixels of the view axis, across and up: four
+    /// half spaces of view space, in pixels times w.
+    pub(super) fn aside(&self, half: [f64; 2]) -> [HalfSpace; 4] {
+        [(0, 1.0), (0, -1.0), (1, 1.0), (1, -1.0)].map(|(axis, sign): (usize, f64)| {
+            let (scale, back, offset) = match self.camera.projection {
+                Projection::Perspective { focal_length_px, .. } => {
+                    (focal_length_px, -half[axis], 0.0)
+                }
+                Projection::Orthographic { pixels_per_unit, .. } => {
+                    (pixels_per_unit, 0.0, half[axis])
+                }
+            };
+            let mut normal = [0.0, 0.0, back];
+            normal[axis] = -sign * scale;
+            HalfSpace { normal, offset }
+        })
     }
 
     /// How far the depth of a pixel may be off that of a face's plane, from the places of the
@@ -276,6 +279,11 @@ impl Placement {
         let off = off + DEPTH + STORED * self.depth_unit;
         if off.is_nan() { f64::INFINITY } else { off }
     }
+}
+
+/// The point at a part of the way between two.
+pub(super) fn along([from, to]: [[f64; 3]; 2], part: f64) -> [f64; 3] {
+    [0, 1, 2].map(|i| from[i] + part * (to[i] - from[i]))
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ mod display;
 mod filter;
 mod fog;
 mod form;
+mod line_ends;
 mod lines;
 mod matcap;
 mod planes;

@@ -119,21 +119,41 @@ pub(super) fn comparisons(outcome: &Outcome, bounds: &Bounds) -> String {
 pub(super) fn of_lines(lines: &LineOutcome) -> String {
     let mut text = String::new();
     let mut line = |title: &str, found: String, bound: String| {
-        text += format!("{title:<32}{found:>12}  {bound}").trim_end();
+        text += format!("{title:<34}{found:>12}  {bound}").trim_end();
         text += "\n";
     };
     line("Lines seen, or parts of them", thousands(lines.lines), String::new());
     line("Points seen", thousands(lines.points), String::new());
     line("Pixels that they own", thousands(lines.line_pixels), String::new());
     line("Pixels of these that are hidden", thousands(lines.line_pixels_hidden), String::new());
-    let mismatches = lines.line_coverage_mismatches;
-    line("Coverage mismatches, pixels", thousands(mismatches), bound(mismatches as f64, 0.0));
+    for (title, found) in [
+        ("Lines and points that are missing", lines.lines_missing),
+        ("Lines and points too many", lines.lines_extra),
+        ("Coverage mismatches, pixels", lines.line_coverage_mismatches),
+    ] {
+        line(title, thousands(found), bound(found as f64, 0.0));
+    }
     let depth = lines.line_depth_max_ulp;
     let verdict = bound(depth, LineOutcome::DEPTH_MAX_ULP);
     line("Depth error at most, of 2^32", format!("{depth:.3}"), verdict);
     let color = lines.line_color_max_error;
     let verdict = bound(color, LineOutcome::COLOR_MAX_ERROR);
     line("Colour error at most, of 255", color.to_string(), verdict);
+    line("Ends judged", thousands(lines.line_ends), String::new());
+    line("Ends where planes cut lines", thousands(lines.line_ends_cut), String::new());
+    for (title, worst, digits) in [
+        ("Place of an end, pixels", lines.line_end_place, 5),
+        ("Depth of an end, of 2^32", lines.line_end_depth, 1),
+        ("Colour of an end, of 255", lines.line_end_color, 5),
+    ] {
+        let Some(worst) = worst else { continue };
+        let verdict = if worst.is_within() { "ok" } else { "FAIL" };
+        let verdict = format!("{:.digits$} {verdict}", worst.bound);
+        line(title, format!("{:.digits$}", worst.error), verdict);
+        if !worst.is_within() {
+            line("  of the vertices", format!("{:?}", worst.vertices), String::new());
+        }
+    }
     if let Some([x, y]) = lines.line_first_wrong {
         text += &format!("The first wrong pixel of lines: column {x} of row {y}.\n");
     }

@@ -68,6 +68,29 @@ pub(super) fn clip_by<const N: usize>(
     })
 }
 
+/// The part of a segment inside all half spaces: how far along it starts and ends, from 0 to 1; or
+/// `None` if nothing is inside. A plane belongs to its half space.
+///
+/// Liang and Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics
+/// 3(1), 1984: each plane moves the start or the end, and what is left lies between them.
+#[must_use]
+pub fn part_inside(
+    [from, to]: [[f64; 3]; 2],
+    sides: impl IntoIterator<Item = HalfSpace>,
+) -> Option<[f64; 2]> {
+    let [mut start, mut end] = [0f64, 1.0];
+    for side in sides {
+        let [a, b] = [side.depth(from), side.depth(to)];
+        match [a, b].map(|depth| depth < 0.0) {
+            [false, false] => {}
+            [true, true] => return None,
+            [true, false] => start = start.max(a / (a - b)),
+            [false, true] => end = end.min(a / (a - b)),
+        }
+    }
+    (start <= end).then_some([start, end])
+}
+
 /// The part of a ring of corners inside all half spaces, in the same winding. Parts of one that is
 /// not convex are joined by lines along the planes, there and back. Rings that share an edge share
 /// the new corners on it, bit for bit.
@@ -157,6 +180,24 @@ mod tests {
     fn a_polygon_between_the_planes_is_unchanged() {
         assert_eq!(clip(&triangle(), [0.5, 6.0]), triangle());
         assert_eq!(clip(&triangle(), [1.0, 5.0]), triangle(), "the planes themselves are inside");
+    }
+
+    #[test]
+    fn a_segment_keeps_the_part_inside_all_half_spaces() {
+        let segment = [[0.0, 0.0, -1.0], [8.0, 0.0, -5.0]];
+        let side = |normal, offset| HalfSpace { normal, offset };
+        // From a distance of 2 on, up to x = 6, above y = 0.
+        let (beyond, left) = (side([0.0, 0.0, -1.0], -2.0), side([-1.0, 0.0, 0.0], 6.0));
+        let above = side([0.0, 1.0, 0.0], 0.0);
+        assert_eq!(part_inside(segment, []), Some([0.0, 1.0]));
+        assert_eq!(part_inside(segment, [beyond, left, above]), Some([0.25, 0.75]));
+        assert_eq!(part_inside(segment, [left.flipped(), beyond]), Some([0.75, 1.0]));
+        assert_eq!(part_inside(segment, [above.widened(-1.0)]), None);
+        // Each plane leaves a part, and both together leave none.
+        assert_eq!(part_inside(segment, [beyond.flipped(), side([1.0, 0.0, 0.0], -3.0)]), None);
+        // A point is a segment without a length.
+        assert_eq!(part_inside([segment[1]; 2], [beyond]), Some([0.0, 1.0]));
+        assert_eq!(part_inside([segment[1]; 2], [left]), None);
     }
 
     #[test]

@@ -48,6 +48,7 @@
 //! | levels of lights, highlights | `lights.rs` | Lambert's cosine law; Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977 |
 //! | amount of fog at a distance | `fog.rs` | OpenGL 2.1 specification, section 3.10 |
 //! | near and far plane, planes of the user's | `clip.rs` | Sutherland and Hodgman, "Reentrant polygon clipping", CACM 17(1), 1974 |
+//! | the same for lines | `clip.rs` | Liang and Barsky, "A new concept and method for line clipping", ACM Transactions on Graphics 3(1), 1984 |
 //! | which pixels | `coverage.rs` | Pineda, "A parallel algorithm for polygon rasterization", SIGGRAPH 1988; Direct3D 11.3 functional specification, 3.4.2.1 |
 //! | which pixels of a line | `line.rs` | Vulkan specification, "Bresenham line segment rasterization" |
 //! | how much of a pixel an antialiased line covers | `smooth_line.rs` | derived there |
@@ -104,7 +105,7 @@ pub use between::Between;
 pub use blend::{Blend, Layer, combined_alpha};
 pub use camera::{Camera, Projection, ScreenPoint, Viewport};
 pub use chord::{chord_error, chord_error_in_steps};
-pub use clip::{HalfSpace, clip_ring};
+pub use clip::{HalfSpace, clip_ring, part_inside};
 pub use depth::DepthFormat;
 pub use display::{Display, Steps, luma};
 pub use fade::Fade;

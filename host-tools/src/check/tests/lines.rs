@@ -9,7 +9,7 @@ use rasterizer::{
 };
 
 use super::{
-    super::judged_lines::{Canvas, Owners},
+    super::judged_lines::{Canvas, End, Owners},
     *,
 };
 
@@ -186,7 +186,7 @@ fn wrong_pixels_of_lines_are_found() {
     };
     after.draw(&view, draw).unwrap();
     let mut owners = Owners::new::<S4>(&view, LineOptions::default());
-    owners.add_line(ends.each_ref(), [[200.0, 100.0, 50.0]; 2]);
+    owners.add_line(ends.map(|end| End::of(&end, [200.0, 100.0, 50.0]).unwrap()));
     let judge = |after: &Canvas| owners.judge(&before, after);
     let right = judge(&after);
     assert!(right.is_within() && right.line_pixels == 50, "{right:?}");
