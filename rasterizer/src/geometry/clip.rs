@@ -16,7 +16,7 @@ use super::{
 };
 use crate::{
     attribute::{Varyings, lerp},
-    numbers::{Coordinate, Divisor, mul_q60, mul_wide_q30},
+    numbers::{Coordinate, Divisor, codegen::keep_rolled, mul_q60, mul_wide_q30},
 };
 
 /// A triangle has three corners, and each of the six planes adds one at most.
@@ -150,6 +150,7 @@ pub(crate) fn clip<P: Projection, C: Coordinate, V: Varyings>(
 ) {
     let mut polygon: Vec<ClipVertex<C, V>, MAX_CORNERS> = Vec::new();
     for corner in triangle {
+        keep_rolled();
         // Three corners fit nine places; the result of a push is an error only where they don't.
         let _ = polygon.push(corner);
     }

@@ -164,8 +164,11 @@ where
     #[inline(never)]
     fn clipped(&self, ends: [usize; 2]) -> Option<Ends<V, Sh>> {
         let transform = &self.seen.transform;
-        let ends =
-            self.seen.mode.clipping().cut_line(&ends.map(|index| self.seen.corner(index)))?;
+        let ends = if M::Clipping::EXIST {
+            self.seen.mode.clipping().cut_line(&ends.map(|index| self.seen.corner(index)))?
+        } else {
+            ends.map(|index| self.seen.vertex_in_clip_space(index))
+        };
         clip_line(ends, transform).map(|ends| ends.map(|end| transform.place_on_screen(end)))
     }
 }

@@ -256,14 +256,25 @@ where
         on_screen(&self.shader, &self.transform, self.mode.clipping(), &vertex)
     }
 
+    /// The vertices of a triangle that is to be clipped.
+    // codegen: not inlined, because each copy takes a hundred bytes (`lines-hidden`).
+    #[cold]
+    #[inline(never)]
+    fn indices(&self, index: usize) -> [usize; 3] {
+        self.tables().triangles.get(index).unwrap_or_default()
+    }
+
     /// A vertex that is to be clipped.
-    #[inline(always)]
+    // codegen: not inlined, because it is repeated for each corner and each end of a line then.
+    #[cold]
+    #[inline(never)]
     pub(super) fn vertex_in_clip_space(
         &self,
-        vertex: &MeshVertex<'_>,
+        index: usize,
     ) -> ClipVertex<CoordinateOf<V, Sh>, Sh::Varyings> {
+        let vertex = self.vertex(index);
         let [x, y, z] = self.transform.object_to_clip_outlined(vertex.table_position());
-        ClipVertex { x, y, z, varyings: self.shader.vertex(vertex) }
+        ClipVertex { x, y, z, varyings: self.shader.vertex(&vertex) }
     }
 
     /// The signed area of a triangle that is seen and may reach `rows`.
@@ -287,7 +298,7 @@ where
     #[cold]
     #[inline(never)]
     fn is_triangle_outside_view(&self, index: usize) -> bool {
-        let indices = self.tables().triangles.get(index).unwrap_or_default();
+        let indices = self.indices(index);
         let beyond_all = indices.iter().fold(u8::MAX, |bits, &index| {
             let position = self.vertex(index).table_position();
             bits & self.transform.beyond::<CoordinateOf<V, Sh>>(position, self.size())
@@ -311,11 +322,11 @@ where
             let Some(pair) = rim.windows(2).nth(part) else { return };
             clip([*hub, pair[0], pair[1]], &self.transform, visit);
         } else {
-            let indices = self.tables().triangles.get(index).unwrap_or_default();
+            let indices = self.indices(index);
             let triangle = indices
                 .into_iter()
                 .enumerate()
-                .map(|(corner, index)| self.corner(index).1.at(corner));
+                .map(|(corner, index)| self.vertex_in_clip_space(index).at(corner));
             clip(triangle, &self.transform, visit);
         }
     }
@@ -333,7 +344,7 @@ where
         &self,
         index: usize,
     ) -> Vec<ClipVertex<CoordinateOf<V, Sh>, Sh::Varyings>, MAX_CORNERS> {
-        let triangle = self.tables().triangles.get(index).unwrap_or_default();
+        let triangle = self.indices(index);
         let mut kept = Vec::new();
         let mut corner = 0..;
         // codegen: not by `from_fn`, whose index is checked where the loop stays one.
@@ -348,8 +359,7 @@ where
     /// A vertex that is to be clipped, with its position.
     #[inline(always)]
     pub(super) fn corner(&self, index: usize) -> Corner<CoordinateOf<V, Sh>, Sh::Varyings> {
-        let vertex = self.vertex(index);
-        (vertex.table_position(), self.vertex_in_clip_space(&vertex))
+        (self.vertex(index).table_position(), self.vertex_in_clip_space(index))
     }
 }
 
