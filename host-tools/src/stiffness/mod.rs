@@ -36,11 +36,12 @@ pub use work::{Cost, Scene, Work};
 pub const INSTANCES: usize = 1000;
 
 /// All families.
-pub const FAMILIES: [&Family; 21] = [
+pub const FAMILIES: [&Family; 22] = [
     &planes::U16,
     &planes::FLOAT,
     &planes::U32,
     &planes::U32_FACING,
+    &planes::U32_PLACED,
     &tilt::S8_DEPTH,
     &sliver::U16,
     &sliver::U32,
