@@ -22,9 +22,11 @@ mod planes;
 mod sliver;
 mod small;
 mod span;
+mod square;
 mod stage;
 mod tilt;
 mod turns;
+mod uneven;
 mod wall;
 mod work;
 
@@ -36,7 +38,7 @@ pub use work::{Cost, Scene, Work};
 pub const INSTANCES: usize = 1000;
 
 /// All families.
-pub const FAMILIES: [&Family; 22] = [
+pub const FAMILIES: [&Family; 23] = [
     &planes::U16,
     &planes::FLOAT,
     &planes::U32,
@@ -59,4 +61,5 @@ pub const FAMILIES: [&Family; 22] = [
     &wall::STEPS,
     &minified::NEAREST,
     &minified::MIPMAPS,
+    &uneven::TRILINEAR,
 ];
