@@ -6,6 +6,7 @@ mod errors;
 #[cfg(feature = "flip")]
 mod flip;
 mod front;
+mod merge;
 mod page;
 mod points;
 mod program;
@@ -13,6 +14,7 @@ mod resume;
 mod run;
 mod scenes;
 mod split;
+mod stiff;
 
 use std::{
     env, fs,
@@ -34,8 +36,11 @@ Examples:
   measure report model.obj              Your own model
   measure report --core riscv model.obj
   measure report --quick model.obj      One model, two frames, the times of this machine alone
+  measure report --only labels --only floor
+                                        Two scenes of those without models
   measure report --json | jq .scenes[0].points
   measure report --save                 Figures for the repository: tests/measure/WORK_PRECISION.md
+  measure report --save --only floor    One scene anew, the others as they are saved
 
 The page report.md, diagrams as SVG and PNG, report.csv and report.json are written to target/report
 (or --out DIR). A run that was interrupted goes on from the last whole scene. A model is converted
@@ -48,9 +53,13 @@ Exit status: 0 if all is well, 2 for bad usage or if something is missing.";
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
-    /// OBJ files [default: three models of the project, and two of `RASTERIZER_MODELS`]
+    /// OBJ files [default: three models of the project, two of `RASTERIZER_MODELS`, and two scenes
+    /// that are hard to draw]
     #[arg(value_name = "MODEL.obj")]
     models: Vec<PathBuf>,
+    /// Only this scene of those without models; may be repeated
+    #[arg(long, value_name = "SCENE", conflicts_with = "models")]
+    only: Vec<String>,
     /// A core to count on; may be repeated
     #[arg(long = "core", value_name = "CORE", default_values = ["m0plus", "m4"])]
     cores: Vec<Core>,
@@ -76,21 +85,33 @@ pub(crate) struct Arguments {
 struct Report {
     cores: Vec<Core>,
     conditions: Vec<(Core, Conditions)>,
+    /// Scenes that were measured on another day, and when.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    later: Vec<(String, String)>,
     scenes: Vec<Measured>,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     let is_on_host = arguments.host || arguments.quick;
     let cores = if is_on_host { Vec::new() } else { Core::or_all(&arguments.cores) };
-    let mut files = arguments.models.clone();
-    if files.is_empty() {
-        files = default_models(arguments.save)?;
-    }
-    if arguments.quick {
-        files.truncate(1);
-    }
     let frames = if arguments.quick { 2 } else { 8 };
-    let report = measure(&files, frames, cores)?;
+    let scenes = if arguments.models.is_empty() {
+        default_scenes(arguments.save, frames)?
+    } else {
+        of_files(&arguments.models, frames)?
+    };
+    let names: Vec<_> = scenes.iter().map(|scene| scene.name.clone()).collect();
+    let mut scenes = chosen(scenes, &arguments.only)?;
+    if arguments.quick {
+        scenes.truncate(1);
+    }
+    let keeps_others = arguments.save && !arguments.only.is_empty();
+    let kept = if keeps_others { Some(merge::kept(saved()?, &cores)?) } else { None };
+    let measured = measure(scenes, cores)?;
+    let report = match kept {
+        Some(kept) => merge::merge(kept, measured, &names)?,
+        None => measured,
+    };
     let text = if arguments.json {
         rows::to_string(&report)?
     } else {
@@ -117,8 +138,8 @@ pub(crate) fn folder() -> Result<PathBuf> {
     Ok(folder)
 }
 
-/// The models that are compared unless others are named.
-fn default_models(to_be_saved: bool) -> Result<Vec<PathBuf>> {
+/// What is compared unless models are named.
+fn default_scenes(to_be_saved: bool, frames: u32) -> Result<Vec<Scene>> {
     let mut files = scenes::shipped();
     match env::var_os("RASTERIZER_MODELS") {
         Some(folder) => files.extend(scenes::foreign(Path::new(&folder))),
@@ -127,15 +148,32 @@ fn default_models(to_be_saved: bool) -> Result<Vec<PathBuf>> {
         }
         None => {}
     }
-    Ok(files)
+    let mut scenes = of_files(&files, frames)?;
+    scenes.extend(stiff::scenes(frames)?);
+    Ok(scenes)
+}
+
+/// Models, each as a scene.
+fn of_files(files: &[PathBuf], frames: u32) -> Result<Vec<Scene>> {
+    files.iter().map(|file| Scene::of(file, frames)).collect()
+}
+
+/// The scenes of these names, or all if none is named.
+fn chosen(mut scenes: Vec<Scene>, names: &[String]) -> Result<Vec<Scene>> {
+    let all: Vec<_> = scenes.iter().map(|scene| scene.name.clone()).collect();
+    if let Some(name) = names.iter().find(|name| !all.contains(name)) {
+        bail!("there is no scene {name}: name one of {}", all.join(", "));
+    }
+    scenes.retain(|scene| names.is_empty() || names.contains(&scene.name));
+    Ok(scenes)
 }
 
 /// Measures the scenes that no earlier run has.
-fn measure(files: &[PathBuf], frames: u32, cores: Vec<Core>) -> Result<Report> {
-    let scenes = files.iter().map(|file| Scene::of(file, frames)).collect::<Result<Vec<_>>>()?;
+fn measure(scenes: Vec<Scene>, cores: Vec<Core>) -> Result<Report> {
     let steps = |scene: &Scene| points::steps(scene, cores.len());
     let progress = progress::over(scenes.iter().map(steps).sum());
-    let mut report = Report { cores, conditions: Vec::new(), scenes: Vec::new() };
+    let (conditions, later) = (Vec::new(), Vec::new());
+    let mut report = Report { cores, conditions, later, scenes: Vec::new() };
     for scene in scenes {
         let fingerprint = resume::fingerprint(&scene, &report.cores)?;
         let (measured, conditions) = match resume::kept(&scene, fingerprint)? {
@@ -162,15 +200,21 @@ const PAGE: &str = "../WORK_PRECISION.md";
 /// How the page is made, and what to pick by the saved figures.
 const ADVICE: &str = include_str!("advice.md");
 
-/// The files that are made of the saved figures.
-pub(crate) fn rendered() -> Result<Vec<(String, Vec<u8>)>> {
+/// The saved figures, if there are any.
+fn saved() -> Result<Option<Report>> {
     let path = results::file(FILE);
     if !path.exists() {
-        return Ok(Vec::new());
+        return Ok(None);
     }
     let text = fs::read_to_string(&path).with_context(|| path.display().to_string())?;
-    let report: Report = serde_json::from_str(&text)
+    let report = serde_json::from_str(&text)
         .with_context(|| format!("{} does not hold a report", path.display()))?;
+    Ok(Some(report))
+}
+
+/// The files that are made of the saved figures.
+pub(crate) fn rendered() -> Result<Vec<(String, Vec<u8>)>> {
+    let Some(report) = saved()? else { return Ok(Vec::new()) };
     let name = |scene: &str| format!("report-{scene}.svg");
     let page = page::page(&report, ADVICE, |scene| format!("results/{}", name(scene)));
     let mut files = vec![(PAGE.to_owned(), page.into_bytes())];
@@ -213,4 +257,23 @@ fn write(report: &Report, folder: &Path) -> Result<()> {
     write("report.csv".into(), page::csv(report).into_bytes())?;
     write("report.json".into(), rows::to_string(report)?.into_bytes())?;
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scenes_are_chosen_by_their_names() {
+        let all = of_files(&scenes::shipped(), 1).unwrap();
+        let names = |only: &[&str]| {
+            let only: Vec<_> = only.iter().map(|&name| name.to_owned()).collect();
+            let scenes = chosen(all.clone(), &only)?;
+            anyhow::Ok(scenes.into_iter().map(|scene| scene.name).collect::<Vec<_>>())
+        };
+        assert_eq!(names(&[]).unwrap(), ["torus_knot", "wooden_crate", "rocket"]);
+        assert_eq!(names(&["rocket", "torus_knot"]).unwrap(), ["torus_knot", "rocket"]);
+        let error = names(&["rocket", "crate"]).unwrap_err().to_string();
+        assert!(error.contains("crate: ") && error.contains("wooden_crate"), "{error}");
+    }
 }

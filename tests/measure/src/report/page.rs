@@ -92,6 +92,9 @@ pub(super) fn page(report: &Report, advice: &str, picture: impl Fn(&str) -> Stri
     for (core, conditions) in &report.conditions {
         let _ = writeln!(text, "* {}: {}, {conditions}.", core.title(), conditions.date);
     }
+    for (scene, date) in &report.later {
+        let _ = writeln!(text, "* {scene}: {date}, with the same tools.");
+    }
     if report.conditions.is_empty() {
         text += "* Times are those of this machine: the median of several runs.\n";
     }
