@@ -40,6 +40,7 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
     use Model::{Foreign, Shipped, Stiff};
     let turntable = Views::default;
     let steep = || Views::Turntable { steps: 256, pitch_degrees: 50.0 };
+    let orbit = || Views::Orbit { count: 300 };
     let few = || {
         let view = |turns_degrees| View { turns_degrees, distance: None };
         Views::List(vec![
@@ -66,11 +67,28 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         ("needle", Stiff(needle), M0plus, [128, 160], 24, turntable()),
         // A triangle from 0.3 to 2.7 of the camera's distance.
         ("corridor", Stiff(corridor), M4, [320, 240], 96, few()),
+        // Storeys of two colours in turn: one order needs a run of triangles for each.
+        ("tower", Stiff(tower), M0plus, [320, 240], 200, turntable()),
+        // From anywhere.
+        ("torus_knot_orbit", Shipped, M4, [240, 240], 160, orbit()),
+        ("spot_orbit", Foreign, M0plus, [240, 240], 200, orbit()),
+        ("tower_m4", Stiff(tower), M4, [320, 240], 200, turntable()),
+        ("tower_one", Stiff(tower_one), M0plus, [320, 240], 200, turntable()),
+        ("tower_one_m4", Stiff(tower_one), M4, [320, 240], 200, turntable()),
+        ("tower_bands", Stiff(tower), M0plus, [320, 240], 70, turntable()),
+        ("tower_bands_m4", Stiff(tower), M4, [320, 240], 70, turntable()),
+        ("tower_bands_one", Stiff(tower_one), M0plus, [320, 240], 70, turntable()),
+        ("tower_bands_one_m4", Stiff(tower_one), M4, [320, 240], 70, turntable()),
+        ("tower_flat", Stiff(tower), M0plus, [320, 240], 200, turntable()),
+        ("tower_flat_m4", Stiff(tower), M4, [320, 240], 200, turntable()),
+        ("tower_flat_one", Stiff(tower_one), M0plus, [320, 240], 200, turntable()),
+        ("tower_flat_one_m4", Stiff(tower_one), M4, [320, 240], 200, turntable()),
     ];
     let mut scenes = Vec::new();
     for (name, model, core, display, kilobytes, views) in table {
         let shipped = firmware::root().join("host-tools/models");
-        let beside = |folder: &Path| folder.join(name).with_extension("obj");
+        let model_name = name.trim_end_matches("_orbit");
+        let beside = |folder: &Path| folder.join(model_name).with_extension("obj");
         let file = match model {
             Shipped => beside(&shipped),
             Foreign => match env::var_os("RASTERIZER_MODELS") {
@@ -91,6 +109,7 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
             views,
             // The corridor is long: its nearest end fills the view.
             distance: if name == "corridor" { 1.25 } else { 3.0 },
+            is_smooth: name.contains("flat").then_some(false),
             ..Request::default()
         };
         // Gradients of slivers are divided bit by bit on a Cortex-M0+: no body that costs are
@@ -165,6 +184,36 @@ fn needle() -> String {
         let _ = writeln!(text, "f 1 {next} {this}\nf 2 {this} {next}");
     }
     text
+}
+
+/// Steps of a round tower, each smaller than the one below, whose colours alternate.
+fn tower() -> String {
+    let (storeys, sides) = (48_u32, 8_u32);
+    let mut text = String::new();
+    for storey in 0..storeys {
+        let radius = 0.9 - 0.8 * f64::from(storey) / f64::from(storeys);
+        for y in [storey, storey + 1].map(|level| 1.6 * f64::from(level) / f64::from(storeys)) {
+            for side in 0..sides {
+                let (sin, cos) = (TAU * f64::from(side) / f64::from(sides)).sin_cos();
+                let _ = writeln!(text, "v {:.6} {y:.6} {:.6}", radius * cos, radius * sin);
+            }
+        }
+    }
+    for storey in 0..storeys {
+        text += ["usemtl a\n", "usemtl b\n"][storey as usize % 2];
+        let corner = |level: u32, side: u32| (2 * storey + level) * sides + side % sides + 1;
+        let top: String = (0..sides).rev().map(|side| format!(" {}", corner(1, side))).collect();
+        let _ = writeln!(text, "f{top}");
+        for side in 0..sides {
+            let [a, b] = [corner(0, side), corner(0, side + 1)];
+            let _ = writeln!(text, "f {a} {} {} {b}", corner(1, side), corner(1, side + 1));
+        }
+    }
+    text
+}
+
+fn tower_one() -> String {
+    tower().replace("usemtl b", "usemtl a")
 }
 
 fn corridor() -> String {
