@@ -235,6 +235,9 @@ mod tests {
         // The last triangle of the second material lies behind the first of the first one.
         let found = arcs(4, &[[3, 0]]).order(&[0, 0, 1, 1]);
         assert_eq!(found, Some(vec![1, 2, 3, 0]));
+        // Of several other materials that with the lowest number comes first.
+        let found = arcs(6, &[[4, 0], [4, 1]]).order(&[0, 0, 1, 1, 2, 2]);
+        assert_eq!(found, Some(vec![2, 3, 4, 5, 0, 1]));
     }
 
     #[test]

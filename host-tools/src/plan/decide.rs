@@ -87,7 +87,15 @@ impl Study {
                  such cycles)",
                 thousands(cycle.triangles)
             ),
-            Search::Found(order) => format!("; {}", order.reason()),
+            Search::Found(order) if self.is_right(Visibility::FixedOrder) => {
+                format!("; {}", order.reason())
+            }
+            // Only random views are judged by others than those that an order is made from.
+            Search::Found(order) => format!(
+                "; {}, but in other random views it shows up to {} wrong pixels",
+                order.reason(),
+                thousands(self.worst(Visibility::FixedOrder).wrong)
+            ),
         };
         let reason = match visibility {
             _ if is_proven => shape,

@@ -115,6 +115,9 @@ fn a_spiral_is_drawn_in_its_own_order() {
 
 #[test]
 fn where_the_order_of_the_mesh_is_right_no_other_is_sought() {
+    // A sheet hides nothing either, but that is not proven.
+    let sheet = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+    assert!(matches!(study(sheet, &request()).order, Search::Unneeded));
     let (_directory, path) = file(CUBE);
     let study = study_of(&path, &request());
     assert!(matches!(study.order, Search::Unneeded));

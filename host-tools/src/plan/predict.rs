@@ -76,14 +76,12 @@ impl<'a> Estimator<'a> {
     pub(super) fn new(study: &'a Study, costs: &'a Costs) -> Result<Self, PlanError> {
         let mut models: Vec<(Tables, Model)> = Vec::new();
         for paint in study.paints() {
-            for (is_smooth, visibility) in [false, true].into_iter().flat_map(|is_smooth| {
-                [Visibility::U32, Visibility::FixedOrder].map(|visibility| (is_smooth, visibility))
-            }) {
-                let types = Types { is_smooth, paint, visibility, ..EVERYTHING };
-                if study.is_considered(visibility)
-                    && !models.iter().any(|(tables, _)| *tables == types.tables())
-                {
-                    models.push((types.tables(), study.model(&types)?));
+            for visibility in study.considered() {
+                for is_smooth in [false, true] {
+                    let types = Types { is_smooth, paint, visibility, ..EVERYTHING };
+                    if !models.iter().any(|(tables, _)| *tables == types.tables()) {
+                        models.push((types.tables(), study.model(&types)?));
+                    }
                 }
             }
         }
@@ -149,9 +147,8 @@ impl<'a> Estimator<'a> {
     pub(super) fn all(&self) -> Vec<(Candidate, Predicted, Option<Fault>)> {
         let (study, mut all) = (self.study, Vec::new());
         let is_smooth = study.is_smooth();
-        let considered = || Visibility::ALL.into_iter().filter(|v| study.is_considered(*v));
         for paint in study.paints() {
-            for visibility in considered() {
+            for visibility in study.considered() {
                 for vertices in [Vertices::Stored, Vertices::OnDemand] {
                     for rows in band_rows(study.request.display[1]) {
                         let in_bands = rows < study.request.display[1];

@@ -209,11 +209,12 @@ impl Study {
         (is_convex || is_within && exists) && !(self.has_holes && visibility.depth_bytes() == 0)
     }
 
-    /// Whether a way to decide visibility is worth a thought: another order than that of the mesh
-    /// is not, if that is right.
-    pub(super) fn is_considered(&self, visibility: Visibility) -> bool {
-        visibility != Visibility::FixedOrder
-            || matches!(self.order, Search::Found(_) | Search::Cycle(_))
+    /// The ways to decide visibility that are worth a thought: another order than that of the mesh
+    /// is not, if that is right or none helps.
+    pub(super) fn considered(&self) -> impl Iterator<Item = Visibility> {
+        let is_sought = matches!(self.order, Search::Found(_) | Search::Cycle(_));
+        let is_considered = move |v: &Visibility| is_sought || *v != Visibility::FixedOrder;
+        Visibility::ALL.into_iter().filter(is_considered)
     }
 
     /// Where colours come from, for all ways that are right.

@@ -160,8 +160,8 @@ fn orbit(count: u32, seed: u64, distance: f64) -> Vec<Placed> {
     any_views(seed).take(count as usize).map(placed).collect()
 }
 
-/// Views from anywhere: the direction that is seen from the front is uniform on the sphere, whose area
-/// between two heights is proportional to their difference (Archimedes).
+/// Views from anywhere: the direction that is seen from the front is uniform on the sphere, whose
+/// area between two heights is proportional to their difference (Archimedes).
 fn any_views(seed: u64) -> impl Iterator<Item = View> {
     let mut random = Random(seed);
     std::iter::repeat_with(move || {

@@ -72,17 +72,6 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         // From anywhere.
         ("torus_knot_orbit", Shipped, M4, [240, 240], 160, orbit()),
         ("spot_orbit", Foreign, M0plus, [240, 240], 200, orbit()),
-        ("tower_m4", Stiff(tower), M4, [320, 240], 200, turntable()),
-        ("tower_one", Stiff(tower_one), M0plus, [320, 240], 200, turntable()),
-        ("tower_one_m4", Stiff(tower_one), M4, [320, 240], 200, turntable()),
-        ("tower_bands", Stiff(tower), M0plus, [320, 240], 70, turntable()),
-        ("tower_bands_m4", Stiff(tower), M4, [320, 240], 70, turntable()),
-        ("tower_bands_one", Stiff(tower_one), M0plus, [320, 240], 70, turntable()),
-        ("tower_bands_one_m4", Stiff(tower_one), M4, [320, 240], 70, turntable()),
-        ("tower_flat", Stiff(tower), M0plus, [320, 240], 200, turntable()),
-        ("tower_flat_m4", Stiff(tower), M4, [320, 240], 200, turntable()),
-        ("tower_flat_one", Stiff(tower_one), M0plus, [320, 240], 200, turntable()),
-        ("tower_flat_one_m4", Stiff(tower_one), M4, [320, 240], 200, turntable()),
     ];
     let mut scenes = Vec::new();
     for (name, model, core, display, kilobytes, views) in table {
@@ -109,7 +98,6 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
             views,
             // The corridor is long: its nearest end fills the view.
             distance: if name == "corridor" { 1.25 } else { 3.0 },
-            is_smooth: name.contains("flat").then_some(false),
             ..Request::default()
         };
         // Gradients of slivers are divided bit by bit on a Cortex-M0+: no body that costs are
@@ -210,10 +198,6 @@ fn tower() -> String {
         }
     }
     text
-}
-
-fn tower_one() -> String {
-    tower().replace("usemtl b", "usemtl a")
 }
 
 fn corridor() -> String {
