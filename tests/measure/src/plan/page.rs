@@ -140,7 +140,7 @@ without, both with one-sided sheets in their opening, and a sheet alone, in 24 v
 far. All combinations are measured for one shader, and those of one depth or none for the one that
 interpolates nothing; the others have what they differ by in the simplest renderer. A fixed order of
 the triangles has the code of the mesh's order; each further run of a material has an estimated price,
-which `tower` judges. Flash and stack are those of that program. Cycles are a sum of what a frame has of
+which no scene judges. Flash and stack are those of that program. Cycles are a sum of what a frame has of
 pixels, bands, vertices, triangles, rows, covered pixels and divisions of texture coordinates; their
 weights are fitted by least squares of relative errors. No model of this page is among those bodies.
 

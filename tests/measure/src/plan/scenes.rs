@@ -67,8 +67,6 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         ("needle", Stiff(needle), M0plus, [128, 160], 24, turntable()),
         // A triangle from 0.3 to 2.7 of the camera's distance.
         ("corridor", Stiff(corridor), M4, [320, 240], 96, few()),
-        // Storeys of two colours in turn: one order needs a run of triangles for each.
-        ("tower", Stiff(tower), M0plus, [320, 240], 200, turntable()),
         // From anywhere.
         ("torus_knot_orbit", Shipped, M4, [240, 240], 160, orbit()),
         ("spot_orbit", Foreign, M0plus, [240, 240], 200, orbit()),
@@ -170,32 +168,6 @@ fn needle() -> String {
     for i in 0..around {
         let (this, next) = (i + 3, (i + 1) % around + 3);
         let _ = writeln!(text, "f 1 {next} {this}\nf 2 {this} {next}");
-    }
-    text
-}
-
-/// Steps of a round tower, each smaller than the one below, whose colours alternate.
-fn tower() -> String {
-    let (storeys, sides) = (48_u32, 8_u32);
-    let mut text = String::new();
-    for storey in 0..storeys {
-        let radius = 0.9 - 0.8 * f64::from(storey) / f64::from(storeys);
-        for y in [storey, storey + 1].map(|level| 1.6 * f64::from(level) / f64::from(storeys)) {
-            for side in 0..sides {
-                let (sin, cos) = (TAU * f64::from(side) / f64::from(sides)).sin_cos();
-                let _ = writeln!(text, "v {:.6} {y:.6} {:.6}", radius * cos, radius * sin);
-            }
-        }
-    }
-    for storey in 0..storeys {
-        text += ["usemtl a\n", "usemtl b\n"][storey as usize % 2];
-        let corner = |level: u32, side: u32| (2 * storey + level) * sides + side % sides + 1;
-        let top: String = (0..sides).rev().map(|side| format!(" {}", corner(1, side))).collect();
-        let _ = writeln!(text, "f{top}");
-        for side in 0..sides {
-            let [a, b] = [corner(0, side), corner(0, side + 1)];
-            let _ = writeln!(text, "f {a} {} {} {b}", corner(1, side), corner(1, side + 1));
-        }
     }
     text
 }
