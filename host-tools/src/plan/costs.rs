@@ -140,8 +140,9 @@ impl Costs {
     /// What types cost on a core; `None` if that is unknown.
     ///
     /// [Measured](Types::all_measured) are the combinations of one shader, and of each other shader
-    /// the simplest renderer with depth and without. What else differs (visibility, bands, vertices
-    /// on demand) costs the others what it costs the former.
+    /// the simplest renderer with depth and without; where nothing is interpolated, all of them.
+    /// What else differs (visibility, bands, vertices on demand) costs the others what it costs the
+    /// first shader.
     #[must_use]
     pub fn of(&self, core: Core, types: &Types) -> Option<Cost> {
         let (costs, types) = (self.cores.get(core.name())?, &types.same_code());

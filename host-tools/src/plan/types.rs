@@ -157,10 +157,8 @@ impl Types {
         } else if *self == self.shader_model() {
             let is_other_depth = matches!(self.visibility, Visibility::Float16 | Visibility::U32);
             !is_other_depth || *self == self.whole_and_stored()
-        } else if *self == self.simplest_shader() {
-            matches!(self.visibility, Visibility::MeshOrder | Visibility::U16)
         } else {
-            *self == self.base()
+            *self == self.base() || self.interpolates_nothing()
         }
     }
 
@@ -210,10 +208,12 @@ impl Types {
         Self { is_smooth: true, paint: Paint::Materials, ..self }
     }
 
-    /// The same with the shader that interpolates nothing: where vertices are and what bands do
-    /// costs it another code than those that do.
-    const fn simplest_shader(self) -> Self {
-        Self { is_smooth: false, paint: Paint::Materials, ..self }
+    /// Whether neither depth nor light is interpolated: bands and vertices on demand take less code
+    /// then than with any other shader.
+    fn interpolates_nothing(&self) -> bool {
+        !self.is_smooth
+            && self.paint == Paint::Materials
+            && self.visibility == Visibility::MeshOrder
     }
 
     /// The renderer that tells what clipping costs: it depends on how much is interpolated.
