@@ -40,8 +40,6 @@ mod polygons;
 mod provenance;
 mod quantize;
 mod quote;
-#[cfg(feature = "plan")]
-mod reorder;
 mod report;
 mod simplify;
 mod slivers;
