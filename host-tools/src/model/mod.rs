@@ -40,6 +40,8 @@ mod polygons;
 mod provenance;
 mod quantize;
 mod quote;
+#[cfg(feature = "plan")]
+mod reorder;
 mod report;
 mod simplify;
 mod slivers;

@@ -128,7 +128,7 @@ impl Numbering {
 
 /// Vertices transformed per triangle: from 0.5 (a large regular grid, at best) to 3 (nothing
 /// shared); 0 without any.
-fn cache_miss_ratio(triangles: &[[u32; 3]], vertices: usize) -> f64 {
+pub(super) fn cache_miss_ratio(triangles: &[[u32; 3]], vertices: usize) -> f64 {
     if triangles.is_empty() {
         return 0.0;
     }

@@ -1,7 +1,7 @@
 //! The choice among all renderers that are right.
 
 use super::{
-    Costs, Load, PlanError, Study, Types, Visibility,
+    Costs, PlanError, Study, Types, Visibility,
     decide::Decision,
     predict::{Candidate, Estimator, Fault, Predicted},
     source,
@@ -44,16 +44,18 @@ impl Study {
         let by_time = |a: &&(Candidate, Predicted, _), b: &&(Candidate, Predicted, _)| {
             a.1.seconds.total_cmp(&b.1.seconds)
         };
-        // Nothing is as simple as the order of the mesh.
+        // Nothing is as simple as the order of the tables.
         let size = |(candidate, p, _): &&(Candidate, Predicted, _)| {
-            let decides = candidate.types.visibility != Visibility::MeshOrder;
+            let visibility = candidate.types.visibility;
+            let decides = !matches!(visibility, Visibility::MeshOrder | Visibility::FixedOrder);
             (decides, p.flash_bytes() + p.ram_bytes())
         };
         let least = all.iter().filter(fits).min_by(by_time).map_or(0.0, |(_, p, _)| p.seconds);
         let is_as_fast = |(_, p, _): &&(Candidate, Predicted, _)| p.seconds <= SAME_TIME * least;
         let fast = all.iter().filter(fits).filter(is_as_fast);
         let Some(&(chosen, predicted, _)) = fast.min_by_key(size) else {
-            let right = || all.iter().filter(|(.., fault)| *fault != Some(Fault::Wrong));
+            let is_wrong = |fault| matches!(fault, Some(Fault::Wrong | Fault::Cycle));
+            let right = || all.iter().filter(|(.., fault)| !is_wrong(*fault));
             return Err(PlanError::TooLarge {
                 ram: self.request.ram_bytes,
                 flash: self.request.flash_bytes,
@@ -74,13 +76,10 @@ impl Study {
         }
         rejected.sort_by_key(|(candidate, ..)| kind(&candidate.types));
         let decisions = self.decisions(&estimator, chosen);
-        let loads = self.loads(estimator.model(&chosen.types), &chosen.types, chosen.rows);
-        let cost = costs.of(self.request.core, &chosen.types);
-        let cycles = |load: &Load| cost.map_or(0.0, |cost| cost.cycles_of(load));
         Ok(Plan {
             chosen,
             predicted,
-            cycles: loads.iter().map(cycles).collect(),
+            cycles: estimator.cycles(&chosen).unwrap_or_default(),
             source: source::with_decisions(
                 &self.source(&chosen.types, chosen.rows)?,
                 &decisions,

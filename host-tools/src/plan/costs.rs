@@ -99,6 +99,36 @@ impl Cost {
     }
 }
 
+/// What each further run of triangles of one material takes, in cycles: an order that is not the
+/// converter's may have many. Those of the bodies that costs are measured with have two at most.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct RunCost {
+    /// To begin it, in each band.
+    begin: f64,
+    /// To prepare its material, in each band that a triangle of it reaches.
+    surface: f64,
+}
+
+impl RunCost {
+    /// Estimates from what the code does, not fitted to any measurement: light of vertices prepares
+    /// a ramp of 64 colours, at 30 cycles each on a Cortex-M0+ and half of that on a Cortex-M4;
+    /// other surfaces are a colour or a texture's address.
+    pub(super) const fn of(core: Core, types: &Types) -> Self {
+        let has_ramp = types.is_smooth && matches!(types.paint, Paint::Materials);
+        let [begin, surface, ramp] = match core {
+            Core::M0plus => [250.0, 50.0, 2_000.0],
+            Core::M4 => [150.0, 30.0, 1_000.0],
+        };
+        Self { begin, surface: if has_ramp { ramp } else { surface } }
+    }
+
+    /// The cycles of some runs in a frame. A run reaches as many bands as a triangle does.
+    pub(super) fn cycles_of(&self, runs: usize, load: &Load) -> f64 {
+        let (bands, seen, met) = (load.0[1].max(1.0), load.0[4].max(1.0), load.0[6]);
+        runs as f64 * (bands * self.begin + (met / seen).max(1.0) * self.surface)
+    }
+}
+
 impl Costs {
     /// The table that was measured.
     #[must_use]
@@ -110,11 +140,12 @@ impl Costs {
     /// What types cost on a core; `None` if that is unknown.
     ///
     /// [Measured](Types::all_measured) are the combinations of one shader, and of each other shader
-    /// the simplest renderer with depth and without. What else differs (visibility, bands, vertices
-    /// on demand) costs the others what it costs the former.
+    /// the simplest renderer with depth and without; where nothing is interpolated, all of them.
+    /// What else differs (visibility, bands, vertices on demand) costs the others what it costs the
+    /// first shader.
     #[must_use]
     pub fn of(&self, core: Core, types: &Types) -> Option<Cost> {
-        let costs = self.cores.get(core.name())?;
+        let (costs, types) = (self.cores.get(core.name())?, &types.same_code());
         if let Some(&cost) = costs.get(&types.to_string()) {
             return Some(cost);
         }

@@ -2,6 +2,7 @@
 
 use super::{
     Correction, Paint, Shape, Study, Types, Vertices, Visibility, band_rows,
+    order::Search,
     predict::{Candidate, Estimator},
 };
 use crate::model::thousands;
@@ -78,19 +79,42 @@ impl Study {
             thousands(worst.wrong),
             percent(worst.part)
         );
+        let order = match &self.order {
+            Search::Unneeded => String::new(),
+            Search::Holes => "; a texture with holes shows what is behind".into(),
+            Search::Cycle(cycle) => format!(
+                "; no order of the triangles is right in all views: {cycle} ({} triangles lie in \
+                 such cycles)",
+                thousands(cycle.triangles)
+            ),
+            Search::Found(order) if self.is_right(Visibility::FixedOrder) => {
+                format!("; {}", order.reason())
+            }
+            // Only random views are judged by others than those that an order is made from.
+            Search::Found(order) => format!(
+                "; {}, but in other random views it shows up to {} wrong pixels",
+                order.reason(),
+                thousands(self.worst(Visibility::FixedOrder).wrong)
+            ),
+        };
         let reason = match visibility {
             _ if is_proven => shape,
-            Visibility::U32 => format!("{shape}; nothing less shows the right surfaces"),
-            _ => format!("{shape}; {wrong}"),
+            Visibility::U32 => format!("{shape}{order}; nothing less shows the right surfaces"),
+            _ => format!("{shape}{order}; {wrong}"),
         };
-        let other = Visibility::ALL.into_iter().find(|&other| {
-            other > visibility && other != Visibility::Float16 && other != Visibility::Sorted
-        });
+        // The next one that does not depend on an order of the triangles.
+        let other =
+            [Visibility::U16, Visibility::U32].into_iter().find(|&other| other > visibility);
+        let basis = match visibility {
+            _ if is_proven => PROVEN.into(),
+            Visibility::FixedOrder => self.request.views.basis_of_order(),
+            _ => self.request.views.basis(),
+        };
         Decision {
             about: "visibility",
             choice: visibility.title().into(),
             reason,
-            basis: if is_proven { PROVEN.into() } else { self.request.views.basis() },
+            basis,
             margin: if is_proven {
                 "exact, in whole quanta".into()
             } else {

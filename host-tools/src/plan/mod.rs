@@ -10,11 +10,15 @@
 //! that distance, some of it in each view of a turntable or a list, and some in a random sample:
 //! each [`Decision`] says which.
 
+mod arcs;
 mod choose;
 mod convex;
 mod costs;
 mod decide;
 mod divided;
+mod order;
+#[cfg(test)]
+mod order_tests;
 mod predict;
 mod request;
 mod seen;

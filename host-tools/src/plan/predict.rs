@@ -1,8 +1,8 @@
 //! What renderers are expected to take.
 
 use super::{
-    Correction, Costs, Paint, PlanError, Study, Types, Vertices, Visibility, band_rows,
-    decide::Other, types::Tables,
+    Correction, Costs, Load, Paint, PlanError, Study, Types, Vertices, Visibility, band_rows,
+    costs::RunCost, decide::Other, order::Search, types::Tables,
 };
 use crate::model::Model;
 
@@ -54,6 +54,8 @@ impl Predicted {
 pub enum Fault {
     /// It shows wrong pixels.
     Wrong,
+    /// No such order of the triangles is right.
+    Cycle,
     /// It takes more RAM than there is.
     Ram,
     /// It takes more flash than there is.
@@ -74,10 +76,12 @@ impl<'a> Estimator<'a> {
     pub(super) fn new(study: &'a Study, costs: &'a Costs) -> Result<Self, PlanError> {
         let mut models: Vec<(Tables, Model)> = Vec::new();
         for paint in study.paints() {
-            for is_smooth in [false, true] {
-                let types = Types { is_smooth, paint, ..EVERYTHING };
-                if !models.iter().any(|(tables, _)| *tables == types.tables()) {
-                    models.push((types.tables(), study.model(&types)?));
+            for visibility in study.considered() {
+                for is_smooth in [false, true] {
+                    let types = Types { is_smooth, paint, visibility, ..EVERYTHING };
+                    if !models.iter().any(|(tables, _)| *tables == types.tables()) {
+                        models.push((types.tables(), study.model(&types)?));
+                    }
                 }
             }
         }
@@ -96,14 +100,13 @@ impl<'a> Estimator<'a> {
         let Candidate { types, rows } = candidate;
         let (request, model) = (&self.study.request, self.model(types));
         let cost = self.costs.of(request.core, types)?;
-        let loads = self.study.loads(model, types, *rows);
-        let cycles: Vec<f64> = loads.iter().map(|load| cost.cycles_of(load)).collect();
+        let cycles = self.cycles(candidate)?;
         let mean = cycles.iter().sum::<f64>() / cycles.len().max(1) as f64;
         let [width, height] = request.display;
         let bits = f64::from(16 * width * height);
         Some(Predicted {
             code_bytes: cost.flash_bytes,
-            table_bytes: model.report.flash.total() as u32,
+            table_bytes: self.table_bytes(types) as u32,
             buffer_bytes: buffer_bytes(model, types, request.display, *rows),
             stack_bytes: cost.stack_bytes,
             cycles: mean,
@@ -112,13 +115,40 @@ impl<'a> Estimator<'a> {
         })
     }
 
+    /// The cycles of each view.
+    pub(super) fn cycles(&self, candidate: &Candidate) -> Option<Vec<f64>> {
+        let (Candidate { types, rows }, core) = (candidate, self.study.request.core);
+        let cost = self.costs.of(core, types)?;
+        let (run, runs) = (RunCost::of(core, types), self.further_runs(types));
+        let loads = self.study.loads(self.model(types), types, *rows);
+        let cycles = |load: &Load| cost.cycles_of(load) + run.cycles_of(runs, load);
+        Some(loads.iter().map(cycles).collect())
+    }
+
+    /// The runs of a material in the tables, beyond one for each.
+    const fn further_runs(&self, types: &Types) -> usize {
+        match (&self.study.order, types.visibility) {
+            (Search::Found(order), Visibility::FixedOrder) => order.further_runs(),
+            _ => 0,
+        }
+    }
+
+    /// The bytes of the model's tables.
+    fn table_bytes(&self, types: &Types) -> usize {
+        // The texture of a run: at most the addresses of texels and of a palette.
+        let of_textures = match types.paint {
+            Paint::Textures(..) => 8 * self.further_runs(types),
+            _ => 0,
+        };
+        self.model(types).report.flash.total() + of_textures
+    }
+
     /// All renderers that costs are known of, and why they cannot be taken.
     pub(super) fn all(&self) -> Vec<(Candidate, Predicted, Option<Fault>)> {
         let (study, mut all) = (self.study, Vec::new());
-        let is_smooth = study.request.is_smooth.unwrap_or(!study.is_flat());
-        let is_smooth = is_smooth || study.paints().contains(&Paint::Vertices);
+        let is_smooth = study.is_smooth();
         for paint in study.paints() {
-            for visibility in Visibility::ALL {
+            for visibility in study.considered() {
                 for vertices in [Vertices::Stored, Vertices::OnDemand] {
                     for rows in band_rows(study.request.display[1]) {
                         let in_bands = rows < study.request.display[1];
@@ -137,7 +167,11 @@ impl<'a> Estimator<'a> {
 
     fn fault(&self, candidate: &Candidate, predicted: &Predicted) -> Option<Fault> {
         let request = &self.study.request;
-        if !self.study.is_right(candidate.types.visibility) {
+        let visibility = candidate.types.visibility;
+        let is_in_order = visibility == Visibility::FixedOrder;
+        if is_in_order && matches!(self.study.order, Search::Cycle(_)) {
+            Some(Fault::Cycle)
+        } else if !self.study.is_right(visibility) {
             Some(Fault::Wrong)
         } else if predicted.ram_bytes() > request.ram_bytes {
             Some(Fault::Ram)

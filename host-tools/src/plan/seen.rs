@@ -22,7 +22,7 @@ use rasterizer::{
     shade::{Face, Outcome, Shader},
 };
 
-use super::{Divided, Visibility, band_rows, views::Placed};
+use super::{Divided, Visibility, arcs::Arcs, band_rows, views::Placed};
 use crate::check::{Subpixel as Precision, ViewError};
 
 /// The number of the face that a pixel shows, from 1; 0 for none.
@@ -93,11 +93,12 @@ pub(super) struct Seen {
     pub(super) faces: Vec<u32>,
     /// The pixels that show a face.
     pub(super) shown: usize,
-    /// For each of [`Visibility::ALL`] the pixels that show another one.
+    /// For each of [`Visibility::ALL`] but a fixed order the pixels that show another one.
     pub(super) wrong: [usize; Visibility::ALL.len()],
 }
 
 /// What sees a model.
+#[derive(Clone, Copy)]
 pub(super) struct Eye<'a> {
     pub(super) mesh: &'a Mesh<'a>,
     pub(super) lens: Perspective,
@@ -128,15 +129,83 @@ impl Eye<'_> {
                 Visibility::Sorted => self.without_depth::<S>(view, true)?,
                 Visibility::U16 => self.faces::<S, u16>(view, Some(&counts))?,
                 Visibility::Float16 => self.faces::<S, FloatDepth>(view, None)?,
-                Visibility::U32 => continue,
+                // That of the study's own mesh is not judged before all views are known.
+                Visibility::FixedOrder | Visibility::U32 => continue,
             };
             *wrong = other.iter().zip(&faces).filter(|(a, b)| a != b).count();
         }
         let mut work = counts.work.into_inner();
         work.triangles = self.mesh.triangle_count() as u64;
         work.passed = counts.passed.get();
-        let faces = faces.into_iter().map(|FaceNumber(face)| face).collect();
-        Ok(Seen { work, faces, shown, wrong })
+        Ok(Seen { work, faces: numbers(faces), shown, wrong })
+    }
+
+    /// The faces that a view shows, by 32 bits of depth: their numbers from 1, or 0.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the core refuses the view.
+    pub(super) fn nearest(
+        &self,
+        precision: Precision,
+        view: &Placed,
+    ) -> Result<Vec<u32>, ViewError> {
+        let faces = match precision {
+            Precision::S4 => self.faces::<S4, u32>(view, None)?,
+            Precision::S8 => self.faces::<S8, u32>(view, None)?,
+        };
+        Ok(numbers(faces))
+    }
+
+    /// The same without depth, in the order of the mesh: the last face drawn.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the core refuses the view.
+    pub(super) fn last_drawn(
+        &self,
+        precision: Precision,
+        view: &Placed,
+    ) -> Result<Vec<u32>, ViewError> {
+        let faces = match precision {
+            Precision::S4 => self.without_depth::<S4>(view, false)?,
+            Precision::S8 => self.without_depth::<S8>(view, false)?,
+        };
+        Ok(numbers(faces))
+    }
+
+    /// Adds the arcs of a view, in which `front` are the [nearest](Self::nearest) faces.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the core refuses the view.
+    pub(super) fn add_arcs(
+        &self,
+        precision: Precision,
+        (number, view): (u32, &Placed),
+        front: &[u32],
+        arcs: &mut Arcs,
+    ) -> Result<(), ViewError> {
+        let mut covering = Covering { eye: self, front, view: number, arcs };
+        match precision {
+            Precision::S4 => self.draw_without_depth::<S4, _>(view, &mut covering),
+            Precision::S8 => self.draw_without_depth::<S8, _>(view, &mut covering),
+        }
+    }
+
+    /// Draws the triangles in the order of the mesh.
+    fn draw_without_depth<S: Subpixel, T>(
+        &self,
+        view: &Placed,
+        target: &mut T,
+    ) -> Result<(), ViewError>
+    where
+        T: Target<Color = FaceNumber, Depth = NoDepth, Error = Infallible>,
+    {
+        let mut vertices = vec![ScreenVertex::<S, NoDepth, _>::EMPTY; self.mesh.vertex_count()];
+        let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
+        let Ok(()) = seen.draw(target);
+        Ok(())
     }
 
     pub(super) const fn area(&self) -> Rectangle {
@@ -190,6 +259,59 @@ impl Eye<'_> {
 
     fn pixels<T: Clone>(&self, value: T) -> Vec<T> {
         vec![value; self.size[0] as usize * self.size[1] as usize]
+    }
+}
+
+/// The numbers of faces, from 1, or 0.
+fn numbers(faces: Vec<FaceNumber>) -> Vec<u32> {
+    faces.into_iter().map(|FaceNumber(face)| face).collect()
+}
+
+/// A target that finds out which triangles are hidden, and by which.
+struct Covering<'c> {
+    eye: &'c Eye<'c>,
+    front: &'c [u32],
+    view: u32,
+    arcs: &'c mut Arcs,
+}
+
+impl Target for Covering<'_> {
+    type Color = FaceNumber;
+    type Depth = NoDepth;
+    type Error = Infallible;
+
+    fn window(&self) -> Window {
+        Window::new(&self.eye.area())
+    }
+
+    /// Not called: all faces are of one colour.
+    fn shade<Q: Primitive<Depth = NoDepth>, O: Outcome<FaceNumber>>(
+        &mut self,
+        _: &Q,
+        _: &Window,
+        _: impl Fn(FragmentOf<Q>) -> O + Copy,
+    ) -> Result<(), Infallible> {
+        Ok(())
+    }
+
+    fn fill<Q: Primitive<Depth = NoDepth>>(
+        &mut self,
+        primitive: &Q,
+        window: &Window,
+        FaceNumber(face): FaceNumber,
+    ) -> Result<(), Infallible> {
+        let layout = Layout { pitch: self.eye.size[0] as i32, origin: 0 };
+        // The face in front is mostly that of the pixel before.
+        let mut last = face;
+        primitive.for_each_span(window, layout, |span| {
+            for &front in self.front.get(span.start..span.end).unwrap_or_default() {
+                if front != last && front != face && front > 0 {
+                    self.arcs.add(face - 1, front - 1, self.view);
+                    last = front;
+                }
+            }
+            Ok(())
+        })
     }
 }
 

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use rasterizer::numbers::Turn;
+
 use super::{Correction, Decision, Paint, Request, Study, Types, Vertices, Views, Visibility};
 use crate::{
     check::angle,
@@ -305,7 +307,7 @@ const VIEWS: [([u32; 3], Scalar); {}] = [
                 views.len()
             );
             for view in views {
-                let [y, x, z] = view.turns_degrees.map(|degrees| angle(degrees).to_bits());
+                let [y, x, z] = view.turns().map(Turn::to_bits);
                 let distance = view.distance.unwrap_or(study.request.distance);
                 let _ =
                     writeln!(text, "    ([{y:#x}, {x:#x}, {z:#x}], Scalar::lit(\"{distance}\")),");

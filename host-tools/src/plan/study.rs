@@ -5,8 +5,11 @@ use std::path::{Path, PathBuf};
 use rasterizer::camera::{Distance, Perspective};
 
 use super::{
-    Correction, Load, Paint, PlanError, Request, Shape, Types, Visibility, Work, band_rows, convex,
+    Correction, Load, Paint, PlanError, Request, Shape, Types, Visibility, Work,
+    arcs::{Arcs, Cycle},
+    band_rows, convex,
     divided::Coordinates,
+    order::{FixedOrder, Search},
     seen, source,
     texels::{Sampling, Texels},
     types,
@@ -36,6 +39,8 @@ pub struct Study {
     pub work: Vec<Work>,
     /// For each of [`Visibility::ALL`] the view with most wrong pixels.
     worst: [Worst; Visibility::ALL.len()],
+    /// Whether one order of the triangles is right in all views.
+    pub(super) order: Search,
     /// Whether light of vertices differs from that of triangles, and by how many degrees of their
     /// normals.
     pub normal_degrees: f64,
@@ -49,6 +54,8 @@ pub struct Study {
     /// The path of the model, and how it is converted.
     path: PathBuf,
     options: Options,
+    /// Whether the planned renderer has light of vertices.
+    is_smooth: bool,
     has_vertex_colors: bool,
     has_holes: bool,
 }
@@ -62,6 +69,18 @@ pub struct Worst {
     pub wrong: usize,
     /// The part that they are of those that show the model.
     pub part: f64,
+}
+
+impl Worst {
+    /// A view by its number, with its wrong pixels and those that show the model.
+    pub(super) fn new(view: usize, wrong: usize, shown: usize) -> Self {
+        Self { view, wrong, part: wrong as f64 / shown.max(1) as f64 }
+    }
+
+    /// The worse of two; of equal ones this.
+    pub(super) fn or_worse(self, other: Self) -> Self {
+        if other.part > self.part { other } else { self }
+    }
 }
 
 /// How textures are sampled.
@@ -90,16 +109,29 @@ impl Study {
         mut step: impl FnMut(usize),
     ) -> Result<Self, PlanError> {
         let options = Options { name: None, ..options.clone() };
-        let model = Model::load(path, &with_texels(&options, None, TexelFormat::Direct))?;
-        if model.report.triangles == 0 {
+        let whole = Model::load(path, &with_texels(&options, None, TexelFormat::Direct))?;
+        if whole.report.triangles == 0 {
             return Err(PlanError::NoFaces(path.display().to_string()));
         }
+        let normal_degrees = normal_degrees(&whole);
+        let is_smooth = is_smooth(request, normal_degrees, &whole);
+        let paint = if whole.textures.is_some() {
+            Paint::Textures(Correction::Adaptive, types::Texels::Direct)
+        } else {
+            plain_paint(&whole)
+        };
+        // The tables that are written: others may have other vertices, and so another order.
+        let model = converted(path, &options, (is_smooth, paint), None)?;
         let views = request.views.placed(request.distance);
         let radius = radius(&model);
         let lens = Lens::of(request, &views, radius)?;
         let mesh = model.mesh();
         let eye = seen::Eye { mesh: &mesh, lens: lens.perspective, size: request.display };
-        let mut seen = look(&model, &eye, request, &views, &mut step)?;
+        let shape = convex::shape(&model);
+        let has_holes = model.textures.as_ref().is_some_and(|textures| textures.alpha.is_some());
+        let arcs =
+            (shape != Shape::Convex && !has_holes).then(|| Arcs::new(eye.mesh.triangle_count()));
+        let mut seen = look(&model, &eye, request, &views, arcs, &mut step)?;
         let sampling = match seen.sampling {
             Some(seen) => Some(Sampled::new(&model, path, &options, seen)?),
             None => None,
@@ -110,34 +142,61 @@ impl Study {
                 work.divided = eye.divide(request.core.subpixel(), view, coordinates)?;
             }
         }
-        Ok(Self {
-            shape: convex::shape(&model),
+        let mut study = Self {
+            shape,
             work: seen.work,
             worst: seen.worst,
-            normal_degrees: normal_degrees(&model),
+            order: Search::Unneeded,
+            normal_degrees,
             depth_range: lens.range,
             clips: lens.reach_px >= GUARD_PX,
             reach_px: lens.reach_px,
             sampling,
             path: path.to_path_buf(),
-            has_vertex_colors: !model.vertex_colors.is_empty(),
-            has_holes: model.textures.as_ref().is_some_and(|textures| textures.alpha.is_some()),
+            is_smooth,
+            has_vertex_colors: !whole.vertex_colors.is_empty(),
+            has_holes,
             options,
             request: request.clone(),
-        })
+        };
+        if has_holes {
+            study.order = Search::Holes;
+        } else if !study.is_right(Visibility::MeshOrder) {
+            study.find_order(&model, &eye, seen.arcs, seen.cycle)?;
+        }
+        Ok(study)
     }
 
-    /// Whether light of triangles is as good as that of vertices.
+    /// Looks for an order of the triangles that is right in all views, and judges it.
+    fn find_order(
+        &mut self,
+        model: &Model,
+        eye: &seen::Eye<'_>,
+        arcs: Option<Arcs>,
+        cycle: Option<Cycle>,
+    ) -> Result<(), ViewError> {
+        if let Some(cycle) = cycle {
+            self.order = Search::Cycle(cycle);
+        } else if let Some(order) = arcs.and_then(|arcs| FixedOrder::new(model, &arcs)) {
+            let (request, place) = (&self.request, place(Visibility::FixedOrder));
+            let views = request.views.judging(request.distance);
+            self.worst[place] = order.judge(model, eye, request.core.subpixel(), &views)?;
+            self.order = Search::Found(order);
+        }
+        Ok(())
+    }
+
+    /// Whether the planned renderer has light of vertices: as asked for, or because that of
+    /// triangles is not as good. Colours of vertices need it.
     #[must_use]
-    pub fn is_flat(&self) -> bool {
-        self.normal_degrees <= FLAT_DEGREES && !self.has_vertex_colors
+    pub const fn is_smooth(&self) -> bool {
+        self.is_smooth
     }
 
     /// The worst view of a way to decide visibility.
     #[must_use]
     pub fn worst(&self, visibility: Visibility) -> Worst {
-        let place = Visibility::ALL.iter().position(|&other| other == visibility);
-        self.worst[place.unwrap_or_default()]
+        self.worst[place(visibility)]
     }
 
     /// Whether a way to decide visibility shows the right surfaces. A texture with holes shows what
@@ -146,7 +205,16 @@ impl Study {
     pub fn is_right(&self, visibility: Visibility) -> bool {
         let is_convex = visibility == Visibility::MeshOrder && self.shape == Shape::Convex;
         let is_within = self.worst(visibility).part <= self.request.wrong_part;
-        (is_convex || is_within) && !(self.has_holes && visibility.depth_bytes() == 0)
+        let exists = visibility != Visibility::FixedOrder || matches!(self.order, Search::Found(_));
+        (is_convex || is_within && exists) && !(self.has_holes && visibility.depth_bytes() == 0)
+    }
+
+    /// The ways to decide visibility that are worth a thought: another order than that of the mesh
+    /// is not, if that is right or none helps.
+    pub(super) fn considered(&self) -> impl Iterator<Item = Visibility> {
+        let is_sought = matches!(self.order, Search::Found(_) | Search::Cycle(_));
+        let is_considered = move |v: &Visibility| is_sought || *v != Visibility::FixedOrder;
+        Visibility::ALL.into_iter().filter(is_considered)
     }
 
     /// Where colours come from, for all ways that are right.
@@ -174,28 +242,15 @@ impl Study {
     ///
     /// Returns an error if the file has changed and cannot be converted any more.
     pub fn model(&self, types: &Types) -> Result<Model, PlanError> {
-        let format = match types.paint {
-            Paint::Textures(_, types::Texels::Indexed8) => TexelFormat::Indexed8,
-            _ => TexelFormat::Direct,
-        };
         let size = self.sampling.as_ref().map(|sampling| sampling.sizes[1]);
-        let mut options = with_texels(&self.options, size, format);
-        options.contents = Contents {
-            vertex_normals: types.is_smooth,
-            face_normals: !types.is_smooth,
-            texture_coordinates: false,
-            vertex_colors: types.paint == Paint::Vertices,
-        };
-        options.edges_degrees = None;
-        if !matches!(types.paint, Paint::Textures(..)) {
-            options.textures = None;
-        }
-        let mut model = Model::load(&self.path, &options)?;
-        // No shader of a plan reads them.
-        model.finishes.clear();
-        model.lines.clear();
-        model.points.clear();
-        Ok(model)
+        let columns = (types.is_smooth, types.paint);
+        let model = converted(&self.path, &self.options, columns, size)?;
+        Ok(match &self.order {
+            Search::Found(order) if types.visibility == Visibility::FixedOrder => {
+                order.applied(model)
+            }
+            _ => model,
+        })
     }
 
     /// The frames' loads in bands of some rows, for the model with the tables that are drawn.
@@ -220,6 +275,54 @@ impl Study {
     }
 }
 
+/// The place of a way to decide visibility among all.
+fn place(visibility: Visibility) -> usize {
+    Visibility::ALL.iter().position(|&other| other == visibility).unwrap_or_default()
+}
+
+/// Whether light is that of vertices.
+fn is_smooth(request: &Request, normal_degrees: f64, model: &Model) -> bool {
+    let has_colors = !model.vertex_colors.is_empty();
+    request.is_smooth.unwrap_or(normal_degrees > FLAT_DEGREES || has_colors)
+        || model.textures.is_none() && has_colors
+}
+
+/// Where colours come from without textures.
+const fn plain_paint(model: &Model) -> Paint {
+    if model.vertex_colors.is_empty() { Paint::Materials } else { Paint::Vertices }
+}
+
+/// The model with the tables that are read, given whether light is that of vertices and where
+/// colours come from.
+fn converted(
+    path: &Path,
+    options: &Options,
+    (is_smooth, paint): (bool, Paint),
+    size: Option<[usize; 2]>,
+) -> Result<Model, PlanError> {
+    let format = match paint {
+        Paint::Textures(_, types::Texels::Indexed8) => TexelFormat::Indexed8,
+        _ => TexelFormat::Direct,
+    };
+    let mut options = with_texels(options, size, format);
+    options.contents = Contents {
+        vertex_normals: is_smooth,
+        face_normals: !is_smooth,
+        texture_coordinates: false,
+        vertex_colors: paint == Paint::Vertices,
+    };
+    options.edges_degrees = None;
+    if !matches!(paint, Paint::Textures(..)) {
+        options.textures = None;
+    }
+    let mut model = Model::load(path, &options)?;
+    // No shader of a plan reads them.
+    model.finishes.clear();
+    model.lines.clear();
+    model.points.clear();
+    Ok(model)
+}
+
 /// The options with textures of a size and a format.
 fn with_texels(options: &Options, size: Option<[usize; 2]>, format: TexelFormat) -> Options {
     let textures = options.textures.as_ref().map(|textures| TextureOptions {
@@ -238,25 +341,35 @@ struct SeenInAll {
     work: Vec<Work>,
     worst: [Worst; Visibility::ALL.len()],
     sampling: Option<Sampling>,
+    /// What each view adds to the arcs, until they have a cycle.
+    arcs: Option<Arcs>,
+    cycle: Option<Cycle>,
 }
 
-/// Looks at a model in all views.
+/// Looks at a model in all views. Without `arcs` no order of the triangles is sought.
 fn look(
     model: &Model,
     eye: &seen::Eye<'_>,
     request: &Request,
     views: &[Placed],
+    arcs: Option<Arcs>,
     step: &mut impl FnMut(usize),
 ) -> Result<SeenInAll, PlanError> {
     let coordinates = Texels::new(model, request.focal_length_px());
     let sampling = coordinates.as_ref().map(|_| Sampling::default());
-    let mut all = SeenInAll { sampling, ..SeenInAll::default() };
+    let mut all = SeenInAll { sampling, arcs, ..SeenInAll::default() };
+    let precision = request.core.subpixel();
     for (number, view) in views.iter().enumerate() {
-        let seen = eye.look(request.core.subpixel(), view)?;
+        let seen = eye.look(precision, view)?;
         for (worst, wrong) in all.worst.iter_mut().zip(seen.wrong) {
-            let part = wrong as f64 / seen.shown.max(1) as f64;
-            if part > worst.part {
-                *worst = Worst { view: number, wrong, part };
+            *worst = worst.or_worse(Worst::new(number, wrong, seen.shown));
+        }
+        if let Some(arcs) = all.arcs.as_mut().filter(|_| all.cycle.is_none()) {
+            eye.add_arcs(precision, (number as u32, view), &seen.faces, arcs)?;
+            // What has a cycle has it in few views: arcs of all of them take time and memory.
+            let count = number + 1;
+            if count.is_power_of_two() || count == views.len() {
+                all.cycle = arcs.cycle();
             }
         }
         if let (Some(coordinates), Some(sampling)) = (&coordinates, &mut all.sampling) {

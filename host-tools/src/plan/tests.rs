@@ -8,7 +8,7 @@ use super::*;
 use crate::model::Options;
 
 /// A model as a file, and its directory.
-fn file(obj: &str) -> (TempDir, PathBuf) {
+pub(super) fn file(obj: &str) -> (TempDir, PathBuf) {
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("m.obj");
     fs::write(&path, obj).unwrap();
@@ -29,7 +29,7 @@ fn plan(obj: &str, request: &Request) -> Plan {
 }
 
 /// A few views, so that tests take no time.
-fn request() -> Request {
+pub(super) fn request() -> Request {
     let views = Views::Turntable { steps: 16, pitch_degrees: 20.0 };
     Request { display: [80, 60], views, ..Request::default() }
 }
@@ -38,7 +38,7 @@ pub(super) const CUBE: &str = "v 0 0 0\nv 0 0 1\nv 0 1 0\nv 0 1 1\nv 1 0 0\nv 1 
                     f 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n";
 
 /// Three bars in a triangle, each over the next and under the last: no order of theirs is right.
-fn circle_of_bars() -> String {
+pub(super) fn circle_of_bars() -> String {
     let mut text = String::new();
     for bar in 0..3 {
         let (sin, cos) = f64::from(bar * 120).to_radians().sin_cos();
@@ -53,7 +53,7 @@ fn circle_of_bars() -> String {
 }
 
 /// The decision about something.
-fn decision<'a>(plan: &'a Plan, about: &str) -> &'a Decision {
+pub(super) fn decision<'a>(plan: &'a Plan, about: &str) -> &'a Decision {
     plan.decisions.iter().find(|decision| decision.about == about).unwrap()
 }
 

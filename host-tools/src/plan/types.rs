@@ -18,6 +18,8 @@ use serde::{Deserialize, Serialize};
 pub enum Visibility {
     /// The order of the mesh: no depth buffer, no sorting.
     MeshOrder,
+    /// Another order of the tables, which is right in all views: no depth buffer, no sorting.
+    FixedOrder,
     /// Triangles from back to front, by the distance of their middles: no depth buffer.
     Sorted,
     /// A depth buffer of 16 bits.
@@ -30,12 +32,13 @@ pub enum Visibility {
 
 impl Visibility {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::MeshOrder, Self::Sorted, Self::U16, Self::Float16, Self::U32];
+    pub const ALL: [Self; 6] =
+        [Self::MeshOrder, Self::FixedOrder, Self::Sorted, Self::U16, Self::Float16, Self::U32];
 
     /// The type of depths, as Rust.
     pub(super) const fn depth(self) -> &'static str {
         match self {
-            Self::MeshOrder | Self::Sorted => "NoDepth",
+            Self::MeshOrder | Self::FixedOrder | Self::Sorted => "NoDepth",
             Self::U16 => "u16",
             Self::Float16 => "FloatDepth",
             Self::U32 => "u32",
@@ -54,7 +57,7 @@ impl Visibility {
     #[must_use]
     pub const fn depth_bytes(self) -> u32 {
         match self {
-            Self::MeshOrder | Self::Sorted => 0,
+            Self::MeshOrder | Self::FixedOrder | Self::Sorted => 0,
             Self::U16 | Self::Float16 => 2,
             Self::U32 => 4,
         }
@@ -65,6 +68,7 @@ impl Visibility {
     pub const fn title(self) -> &'static str {
         match self {
             Self::MeshOrder => "no depth, mesh order",
+            Self::FixedOrder => "no depth, fixed order",
             Self::Sorted => "no depth, sorted",
             Self::U16 => "16-bit depth",
             Self::Float16 => "16-bit floating depth",
@@ -132,8 +136,9 @@ pub struct Types {
     pub clips: bool,
 }
 
-/// What decides which tables of a model are read.
-pub(super) type Tables = (bool, Paint);
+/// What decides which tables of a model are read: whether light is smooth, where colours come from,
+/// and whether the order of the triangles is another one than the converter's.
+pub(super) type Tables = (bool, Paint, bool);
 
 impl Types {
     /// All whose costs are measured; those of [others](super::Costs::of) follow from them.
@@ -145,13 +150,15 @@ impl Types {
     }
 
     fn is_measured(&self) -> bool {
-        if self.clips {
+        if self.visibility == Visibility::FixedOrder {
+            false
+        } else if self.clips {
             *self == Self { clips: true, ..self.clipped_model() }
         } else if *self == self.shader_model() {
             let is_other_depth = matches!(self.visibility, Visibility::Float16 | Visibility::U32);
             !is_other_depth || *self == self.whole_and_stored()
         } else {
-            *self == self.base()
+            *self == self.base() || self.interpolates_nothing()
         }
     }
 
@@ -175,10 +182,20 @@ impl Types {
     /// The simplest renderer of the same shader, with depth or without.
     pub(super) const fn base(self) -> Self {
         let visibility = match self.visibility {
-            Visibility::MeshOrder | Visibility::Sorted => Visibility::MeshOrder,
+            Visibility::MeshOrder | Visibility::FixedOrder | Visibility::Sorted => {
+                Visibility::MeshOrder
+            }
             Visibility::U16 | Visibility::Float16 | Visibility::U32 => Visibility::U16,
         };
         Self { visibility, ..self.whole_and_stored() }
+    }
+
+    /// The same code: what differs between orders of the tables is in the tables alone.
+    pub(super) const fn same_code(self) -> Self {
+        match self.visibility {
+            Visibility::FixedOrder => Self { visibility: Visibility::MeshOrder, ..self },
+            _ => self,
+        }
     }
 
     /// The same of whole pictures with stored vertices, without clipping.
@@ -189,6 +206,14 @@ impl Types {
     /// The same with the shader that all combinations are measured of.
     pub(super) const fn shader_model(self) -> Self {
         Self { is_smooth: true, paint: Paint::Materials, ..self }
+    }
+
+    /// Whether neither depth nor light is interpolated: bands and vertices on demand take less code
+    /// then than with any other shader.
+    fn interpolates_nothing(&self) -> bool {
+        !self.is_smooth
+            && self.paint == Paint::Materials
+            && self.visibility == Visibility::MeshOrder
     }
 
     /// The renderer that tells what clipping costs: it depends on how much is interpolated.
@@ -220,7 +245,7 @@ impl Types {
             Paint::Textures(_, texels) => Paint::Textures(Correction::Adaptive, texels),
             paint => paint,
         };
-        (self.is_smooth, paint)
+        (self.is_smooth, paint, matches!(self.visibility, Visibility::FixedOrder))
     }
 
     /// Bytes of a vertex in memory: x, y, depth, and the varyings of the shader.
@@ -301,6 +326,7 @@ impl fmt::Display for Types {
         }
         let visibility = match self.visibility {
             Visibility::MeshOrder => "unordered",
+            Visibility::FixedOrder => "fixed-order",
             Visibility::Sorted => "sorted",
             Visibility::U16 => "u16",
             Visibility::Float16 => "float16",

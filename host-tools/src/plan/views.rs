@@ -64,6 +64,26 @@ impl Placed {
 }
 
 impl Views {
+    /// The views that an order made from all of them is judged by. For random views these are as
+    /// many others: in those that it was made from it is right in any case, which tells nothing
+    /// about the rest.
+    pub(super) fn judging(&self, distance: f64) -> Vec<Placed> {
+        match self {
+            &Self::Orbit { count } => orbit(count, 2, distance),
+            _ => self.placed(distance),
+        }
+    }
+
+    /// What is known if an order made from all of them is right in those that judge it.
+    pub(super) fn basis_of_order(&self) -> String {
+        match self {
+            Self::Orbit { .. } => {
+                format!("made from as many random views, judged by others: {}", self.basis())
+            }
+            _ => self.basis(),
+        }
+    }
+
     /// All of them.
     pub(super) fn placed(&self, distance: f64) -> Vec<Placed> {
         match self {
@@ -74,11 +94,7 @@ impl Views {
                 };
                 (0..steps).map(|s| Placed { rotation: step(s), distance }).collect()
             }
-            &Self::Orbit { count } => {
-                let mut random = Random(1);
-                let placed = |_| Placed { rotation: any_rotation(&mut random), distance };
-                (0..count).map(placed).collect()
-            }
+            &Self::Orbit { count } => orbit(count, 1, distance),
             Self::List(views) => {
                 let place = |view: &View| Placed {
                     rotation: view.rotation(),
@@ -86,6 +102,16 @@ impl Views {
                 };
                 views.iter().map(place).collect()
             }
+        }
+    }
+
+    /// The views of a list or of an orbit; none of a turntable, which has steps.
+    #[must_use]
+    pub fn listed(&self) -> Vec<View> {
+        match self {
+            Self::Turntable { .. } => Vec::new(),
+            &Self::Orbit { count } => any_views(1).take(count as usize).collect(),
+            Self::List(views) => views.clone(),
         }
     }
 
@@ -116,18 +142,33 @@ impl Views {
 }
 
 impl View {
+    /// Its turns about y, x and z as the core has them.
+    #[must_use]
+    pub fn turns(&self) -> [Turn; 3] {
+        self.turns_degrees.map(angle)
+    }
+
     fn rotation(&self) -> Rotation {
-        let [y, x, z] = self.turns_degrees.map(angle);
+        let [y, x, z] = self.turns();
         Rotation::about_z(z) * Rotation::about_x(x) * Rotation::about_y(y)
     }
 }
 
-/// Any rotation: the direction that is seen from the front is uniform on the sphere, whose area
-/// between two heights is proportional to their difference (Archimedes).
-fn any_rotation(random: &mut Random) -> Rotation {
-    let [yaw, roll] = [0, 1].map(|_| random.real(0.0, 360.0));
-    let pitch = random.real(-1.0, 1.0).asin().to_degrees();
-    View { turns_degrees: [yaw, pitch, roll], distance: None }.rotation()
+/// Random views of a seed.
+fn orbit(count: u32, seed: u64, distance: f64) -> Vec<Placed> {
+    let placed = |view: View| Placed { rotation: view.rotation(), distance };
+    any_views(seed).take(count as usize).map(placed).collect()
+}
+
+/// Views from anywhere: the direction that is seen from the front is uniform on the sphere, whose
+/// area between two heights is proportional to their difference (Archimedes).
+fn any_views(seed: u64) -> impl Iterator<Item = View> {
+    let mut random = Random(seed);
+    std::iter::repeat_with(move || {
+        let [yaw, roll] = [0, 1].map(|_| random.real(0.0, 360.0));
+        let pitch = random.real(-1.0, 1.0).asin().to_degrees();
+        View { turns_degrees: [yaw, pitch, roll], distance: None }
+    })
 }
 
 #[cfg(test)]

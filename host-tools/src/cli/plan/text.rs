@@ -98,6 +98,7 @@ fn rejected(request: &Request, plan: &Plan) -> String {
     for (candidate, predicted, fault) in &plan.rejected {
         let because = match fault {
             Fault::Wrong => "it shows wrong pixels",
+            Fault::Cycle => "no order is right in all views",
             Fault::Ram => "it takes too much RAM",
             Fault::Flash => "it takes too much flash",
             Fault::Time => "it takes more time",

@@ -61,7 +61,8 @@ pub(super) fn page(saved: &Saved) -> String {
 ## Predicted and measured
 
 Flash is that of code and tables, RAM that of buffers and stack, both without the runtime of the core;
-cycles are the mean of eight frames, or of all views of a list.
+cycles are the mean of eight frames, or of all views of a list. An orbit's are its first eight random
+views.
 
 | scene | flash | measured | | RAM | measured | | cycles | measured | | different pixels |
 |---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|
@@ -136,10 +137,13 @@ const OMITTED: &str = "
 The costs of a renderer are a table (`host-tools/src/plan/costs.json`), measured once with three bodies
 that are made for it: a ring of 1,936 small triangles with shared corners, one of 144 large ones
 without, both with one-sided sheets in their opening, and a sheet alone, in 24 views each from near to
-far. All combinations are measured for one shader; the others have what they differ by in the
-simplest renderer. Flash and stack are those of that program. Cycles are a sum of what a frame has of
-pixels, bands, vertices, triangles, rows, covered pixels and divisions of texture coordinates; their
-weights are fitted by least squares of relative errors. No model of this page is among those bodies.
+far. All combinations are measured for one shader, and those without depth and sorting for the one
+that interpolates nothing; the others have what they differ by in the simplest renderer. A fixed order
+of the triangles has the code of the mesh's order; each further run of a material has an estimated
+price, which no scene judges. Flash and stack are those of that program. Cycles are a sum of what a
+frame has of pixels, bands, vertices, triangles, rows, covered pixels and divisions of texture
+coordinates; their weights are fitted by least squares of relative errors. No model of this page is
+among those bodies.
 
 - Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is not
   planned.
@@ -147,9 +151,11 @@ weights are fitted by least squares of relative errors. No model of this page is
   more than twice the cycles that its plan expects.
 - Mip levels, bilinear filters, levels of 4 bits a texel: the plan makes textures as small as they are
   seen instead.
-- small3dlib: its figures in the README are of its own scenes; it draws without
-  sub-pixels and light, so no scene here is drawn alike.
-- One order in flash for all views, and convex parts by separating planes: what is chosen instead is
-  the order of the mesh, if it is right in each view, or sorting.
+- small3dlib: it draws whole frames, without sub-pixels and light, so that no scene here is drawn
+  alike. [Results](RESULTS.md) has its instructions beside those of bench scenes in the same view.
+- Convex parts by separating planes, and orders of the triangles for a part of the views each: one
+  order in flash must be right in all of them.
+- Cycles of few pixels: an order that breaks them could still show fewer wrong pixels than allowed.
 - A proof for all views of an orbit (cells of directions): random views bound the part that may fail.
+  An order that is made from random views is judged by as many others.
 ";

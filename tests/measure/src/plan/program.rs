@@ -3,7 +3,7 @@
 use std::{ffi::OsStr, fs, path::Path};
 
 use anyhow::{Context as _, Result, ensure};
-use host_tools::plan::{Study, Views};
+use host_tools::plan::{Study, View, Views};
 
 use crate::{
     cores::Core,
@@ -28,8 +28,8 @@ pub(super) struct Measured {
     pub(super) checksum: u32,
 }
 
-/// The frames of a plan that are measured: for a list of views all of them, and for a turntable
-/// eight steps.
+/// The frames of a plan that are measured: for a list of views all of them, for a turntable eight
+/// steps, and for an orbit its first eight views, which are random.
 pub(super) fn frames(study: &Study) -> Vec<usize> {
     match &study.request.views {
         Views::Turntable { steps, .. } => {
@@ -37,20 +37,23 @@ pub(super) fn frames(study: &Study) -> Vec<usize> {
             (0..count).map(|frame| (frame * (steps / count)) as usize).collect()
         }
         Views::List(views) => (0..views.len()).collect(),
-        Views::Orbit { .. } => Vec::new(),
+        Views::Orbit { count } => (0..(*count).min(8) as usize).collect(),
     }
 }
 
 /// The source of the program: that of the plan, and the function.
 pub(super) fn source(study: &Study, planned: &str) -> Result<String> {
     let frames = frames(study);
-    ensure!(!frames.is_empty(), "random views cannot be measured one by one");
-    let argument = match &study.request.views {
-        Views::Turntable { .. } => format!("frame * (STEPS / {})", frames.len()),
-        _ => "frame as usize".into(),
+    ensure!(!frames.is_empty(), "a plan without views cannot be measured");
+    let (argument, rotations) = match &study.request.views {
+        Views::Turntable { .. } => (format!("frame * (STEPS / {})", frames.len()), String::new()),
+        Views::List(_) => ("frame as usize".into(), String::new()),
+        views @ Views::Orbit { .. } => {
+            ("rotation(frame)".into(), rotations(&views.listed()[..frames.len()]))
+        }
     };
     Ok(format!(
-        "{planned}
+        "{planned}{rotations}
 pub const FRAMES: u32 = {};
 
 pub fn frame<D: DrawTarget<Color = Rgb565>>(
@@ -63,6 +66,26 @@ pub fn frame<D: DrawTarget<Color = Rgb565>>(
 ",
         frames.len()
     ))
+}
+
+/// The function of a frame's rotation, for views that the plan's own file does not know.
+fn rotations(views: &[View]) -> String {
+    let turns: String = (views.iter())
+        .map(|view| view.turns().map(|turn| format!("Turn::from_bits({:#x})", turn.to_bits())))
+        .map(|[y, x, z]| format!("    [{y}, {x}, {z}],\n"))
+        .collect();
+    format!(
+        "
+const VIEWS: [[Turn; 3]; {}] = [
+{turns}];
+
+fn rotation(frame: u32) -> Rotation {{
+    let [y, x, z] = VIEWS[frame as usize % VIEWS.len()];
+    Rotation::about_z(z) * Rotation::about_x(x) * Rotation::about_y(y)
+}}
+",
+        views.len()
+    )
 }
 
 /// Builds and measures the program in a file.

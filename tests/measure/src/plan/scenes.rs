@@ -40,6 +40,7 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
     use Model::{Foreign, Shipped, Stiff};
     let turntable = Views::default;
     let steep = || Views::Turntable { steps: 256, pitch_degrees: 50.0 };
+    let orbit = || Views::Orbit { count: 300 };
     let few = || {
         let view = |turns_degrees| View { turns_degrees, distance: None };
         Views::List(vec![
@@ -66,11 +67,15 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         ("needle", Stiff(needle), M0plus, [128, 160], 24, turntable()),
         // A triangle from 0.3 to 2.7 of the camera's distance.
         ("corridor", Stiff(corridor), M4, [320, 240], 96, few()),
+        // From anywhere.
+        ("torus_knot_orbit", Shipped, M4, [240, 240], 160, orbit()),
+        ("spot_orbit", Foreign, M0plus, [240, 240], 200, orbit()),
     ];
     let mut scenes = Vec::new();
     for (name, model, core, display, kilobytes, views) in table {
         let shipped = firmware::root().join("host-tools/models");
-        let beside = |folder: &Path| folder.join(name).with_extension("obj");
+        let model_name = name.trim_end_matches("_orbit");
+        let beside = |folder: &Path| folder.join(model_name).with_extension("obj");
         let file = match model {
             Shipped => beside(&shipped),
             Foreign => match env::var_os("RASTERIZER_MODELS") {
