@@ -159,6 +159,7 @@
 //! | lines | a table of vertices, [`Lines`](mesh::Lines) | [`Projected::lines`](scene::Projected::lines): in one colour or by the shader, over the triangles or alone; hidden ones left out after [`draw_depth`](scene::Projected::draw_depth); antialiased by [`smooth`](scene::ProjectedLines::smooth) |
 //! | points | a table of vertices, [`Points`](mesh::Points) | [`Projected::points`](scene::Projected::points): squares of a size in pixels, in one colour or by the shader |
 //! | as modelled, or stretched, mirrored, sheared | [`Object::shaped`](scene::Object::shaped) | [`AsModelled`](geometry::AsModelled), or a [`Matrix`](numbers::Matrix) by [`Shaped`](geometry::Shaped) |
+//! | shapes chosen at run time | [`Object::in_any_shape`](scene::Object::in_any_shape) | [`AnyShape`](geometry::AnyShape): objects of all shapes in one array |
 //! | one shape, or between two | [`Object::morphed`](scene::Object::morphed) | a [`Tween`](mesh::Tween) of a mesh's [`Keyframes`](mesh::Keyframes) |
 //! | vertices in flash, or in RAM where they move | what the mesh is made by | [`Mesh::new_const`](mesh::Mesh::new_const), [`Mesh::from_bytes`](mesh::Mesh::from_bytes), [`MovingMesh`](mesh::MovingMesh) |
 //! | alpha | the blending's factor, the shader, the texels | an [`Alpha`](color::Alpha) for the object, [`MaterialOpacity`](output::MaterialOpacity), [`Faded`](shade::Faded) by vertices, [`Translucent`](texture::Translucent) by texels |

@@ -31,6 +31,7 @@ macro_rules! examples {
 }
 
 examples! {
+    any_shape = "../examples/any_shape.rs",
     backgrounds = "../examples/backgrounds.rs",
     bands = "../examples/bands.rs",
     billboards = "../examples/billboards.rs",

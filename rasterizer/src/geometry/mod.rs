@@ -13,6 +13,7 @@
 //! triangles that touch it go back to clip space and are cut there (clip). All other triangles are
 //! never clipped: what lies beyond the viewport costs the rasterizer nothing.
 
+mod any_shape;
 mod clip;
 mod clip_planes;
 mod extent;
@@ -34,6 +35,7 @@ mod transform;
 mod view;
 mod visibility;
 
+pub use any_shape::AnyShape;
 pub(crate) use clip::{MAX_CORNERS, clip, clip_line};
 pub use clip_planes::ClipPlanes;
 pub(crate) use clip_planes::Corner;

@@ -12,8 +12,8 @@ use crate::{
 /// is [`Shaped`](super::Shaped).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Morphed<'t, G = AsModelled> {
-    tween: &'t Tween<'t>,
-    shape: G,
+    pub(super) tween: &'t Tween<'t>,
+    pub(super) shape: G,
 }
 
 impl<'t> Morphed<'t> {

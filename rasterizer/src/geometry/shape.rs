@@ -11,7 +11,8 @@ use crate::{
 };
 
 /// What changes an object's model before its pose places it: nothing ([`AsModelled`]), a matrix
-/// ([`Shaped`]), or another shape of its mesh ([`Morphed`](super::Morphed)).
+/// ([`Shaped`]), another shape of its mesh ([`Morphed`](super::Morphed)), or what is chosen at run
+/// time ([`AnyShape`](super::AnyShape)).
 #[expect(private_bounds, reason = "it is sealed")]
 pub trait Shape: Copy + Change {
     /// The same with a matrix.

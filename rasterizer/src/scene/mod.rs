@@ -57,7 +57,7 @@ pub use vertices::{OnDemand, Vertices};
 use crate::{
     attribute::DepthFormat,
     camera::Camera,
-    geometry::{Clipping, Culling, Pose, Projection, ScreenVertex, Shape},
+    geometry::{AnyShape, Clipping, Culling, Pose, Projection, ScreenVertex, Shape},
     mesh::Mesh,
     numbers::{Matrix, Subpixel},
     output::{Blending, Target},
@@ -166,6 +166,32 @@ impl<'a, Sh: Shader, K: Culling, L: Clipping, B: Copy, Z: DepthBias, G: Shape>
     pub fn shaped(self, matrix: &Matrix) -> Object<'a, Sh, Modes<K, L, B, Z, G::WithMatrix>> {
         let Modes { culling, clipping, blending, bias, shape } = self.mode;
         let shape = shape.with_matrix(matrix);
+        self.with_mode(Modes { culling, clipping, blending, bias, shape })
+    }
+
+    /// The same object with its shape chosen at run time, as the type of all shapes: objects with a
+    /// matrix and without one, and between shapes of their meshes, in one array.
+    ///
+    /// ```
+    /// # use embedded_graphics_core::pixelcolor::Rgb565;
+    /// # use rasterizer::{geometry::AnyShape, mesh::Mesh, numbers::Matrix, output::Replace};
+    /// # use rasterizer::{prelude::*, raster::NoBias, scene::Modes};
+    /// type Body<'a> =
+    ///     Object<'a, Flat<Rgb565>, Modes<CullBack, ClipAll, Replace, NoBias, AnyShape<'a>>>;
+    ///
+    /// # fn bodies<'a>(mesh: &'a Mesh<'a>, sun: Light, matrix: &Matrix) -> [Body<'a>; 2] {
+    /// let round = Object::new(mesh, Flat::new(sun));
+    /// let flat = round.shaped(matrix);
+    /// [round.in_any_shape(), flat.in_any_shape()]
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn in_any_shape(self) -> Object<'a, Sh, Modes<K, L, B, Z, AnyShape<'a>>>
+    where
+        G: Into<AnyShape<'a>>,
+    {
+        let Modes { culling, clipping, blending, bias, shape } = self.mode;
+        let shape = shape.into();
         self.with_mode(Modes { culling, clipping, blending, bias, shape })
     }
 }

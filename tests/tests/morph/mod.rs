@@ -1,6 +1,7 @@
 //! Meshes between two shapes, against f64: where their vertices lie, their normals, and that every
 //! way to draw them shows what a mesh of that shape shows.
 
+mod any_shape;
 mod normals;
 
 use std::cell::RefCell;
