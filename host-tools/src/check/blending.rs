@@ -167,9 +167,9 @@ impl Layers {
     /// What was drawn of a view, the order of the triangles, and the alphas of vertices.
     pub(super) fn new(
         (model, view, blend): (&Model, &View, Blend),
-        colors: impl Iterator<Item = Rgb888>,
+        colors: &[Rgb888],
         drawn: &[Drawn],
-        order: impl Iterator<Item = usize>,
+        order: &[usize],
         alphas: Picture<f64>,
     ) -> Self {
         let area = view.area();
@@ -190,13 +190,13 @@ impl Layers {
             })
             .collect();
         let mut ranks = vec![usize::MAX; materials.len()];
-        for (rank, triangle) in order.enumerate() {
+        for (rank, &triangle) in order.iter().enumerate() {
             ranks[triangle] = rank;
         }
         Self {
             blend,
             background: view.background,
-            colors: colors.map(channels).collect(),
+            colors: colors.iter().copied().map(channels).collect(),
             layers,
             ranks,
             alphas,

@@ -220,9 +220,9 @@ where
 {
     type Done = Placed<N, Sh::Color>;
 
-    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection>(
         self,
-        object: Formed<'_, Sh, G>,
+        object: Formed<'_, Sh>,
         camera: &Camera<P>,
     ) -> Result<Self::Done, ViewError> {
         let Self { view, planes, placed } = self;
@@ -260,8 +260,10 @@ where
         let size = view.size.map(|c| c as usize).into();
         SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
     });
-    let vertices =
-        projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
+    let mut vertices = Vec::new();
+    for vertex in projected.vertices() {
+        vertices.push(vertex.position().map(to_pixels::<S>));
+    }
     Ok(Placed {
         picture: drawn.picture(view.area()),
         triangles,

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use rasterizer::{
     camera::Camera,
-    geometry::{self, ClipAll, CullBack},
+    geometry::{self, AnyShape, ClipAll, CullBack},
     mesh::{Keyframes, Progress},
     numbers::{Matrix, Scalar, Subpixel},
     output::Replace,
@@ -52,9 +52,10 @@ const LEAST_STRETCH: f64 = 1.0 / 4096.0;
 /// The step of the way between two shapes.
 const PROGRESS: f64 = 1.0 / 32_768.0;
 
-/// An object of the core in a form: with back faces culled, and with opaque pixels.
-pub(super) type Formed<'a, Sh, G, L = ClipAll> =
-    Object<'a, Sh, Modes<CullBack, L, Replace, NoBias, G>>;
+/// An object of the core in a form: with back faces culled, and with opaque pixels. Its shape is
+/// chosen at run time: code for each would take minutes to compile.
+pub(super) type Formed<'a, Sh, L = ClipAll> =
+    Object<'a, Sh, Modes<CullBack, L, Replace, NoBias, AnyShape<'a>>>;
 
 /// Draws an object of the core in any form and precision, with any camera.
 pub(super) trait UseObject<Sh: Shader> {
@@ -62,9 +63,9 @@ pub(super) trait UseObject<Sh: Shader> {
     type Done;
 
     /// Draws the object, which has the view's pose.
-    fn use_object<S: Subpixel, P: geometry::Projection, G: geometry::Shape>(
+    fn use_object<S: Subpixel, P: geometry::Projection>(
         self,
-        object: Formed<'_, Sh, G>,
+        object: Formed<'_, Sh>,
         camera: &Camera<P>,
     ) -> Result<Self::Done, ViewError>;
 }
@@ -98,11 +99,12 @@ impl<Sh: Shader, U: UseObject<Sh>> Drawing for InForm<'_, Sh, U> {
         let (mesh, pose) = (model.mesh(), view.pose()?);
         match view.form.rounded() {
             Form::AsModelled => {
-                user.use_object::<S, P, _>(Object::new(&mesh, shader).posed(pose), camera)
+                let object = Object::new(&mesh, shader).posed(pose).in_any_shape();
+                user.use_object::<S, P>(object, camera)
             }
             Form::Shaped(map) => {
                 let object = Object::new(&mesh, shader).posed(pose).shaped(&matrix(&map)?);
-                user.use_object::<S, P, _>(object, camera)
+                user.use_object::<S, P>(object.in_any_shape(), camera)
             }
             Form::Between { progress, .. } => {
                 let further = model.further_shapes();
@@ -111,7 +113,8 @@ impl<Sh: Shader, U: UseObject<Sh>> Drawing for InForm<'_, Sh, U> {
                 let keyframes = Keyframes::new(&mesh, &further).ok();
                 let tween = keyframes.and_then(|keyframes| keyframes.between(0, 1, progress));
                 let tween = tween.ok_or(ViewError::OneShape)?;
-                user.use_object::<S, P, _>(Object::morphed(&tween, shader).posed(pose), camera)
+                let object = Object::morphed(&tween, shader).posed(pose).in_any_shape();
+                user.use_object::<S, P>(object, camera)
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use embedded_graphics_core::geometry::Point;
+use embedded_graphics_core::{geometry::Point, pixelcolor::Rgb888};
 use rasterizer::{
     attribute::NoDepth,
     camera::Camera,
@@ -25,7 +25,7 @@ use super::{
 };
 use crate::{
     model::Model,
-    reference::{Blend, Sample, draw_screen},
+    reference::{Blend, Picture, Sample, ScreenTriangle, draw_screen},
 };
 
 /// Blends a model with itself, from back to front.
@@ -57,9 +57,9 @@ where
 {
     type Done = Layers;
 
-    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection>(
         self,
-        object: Formed<'_, Faded<Sh, F>, G>,
+        object: Formed<'_, Faded<Sh, F>>,
         camera: &Camera<P>,
     ) -> Result<Layers, ViewError> {
         let Self { model, view, blend } = self;
@@ -78,13 +78,21 @@ where
             (0.5, [f64::from(alpha) / 32_768.0])
         });
         let size = view.size.map(|side| side as usize).into();
-        let alphas = draw_screen(&triangles, size, |sample: Sample<1>| Some(sample.varyings[0]));
+        let alphas = alphas(&triangles, size);
         let projected = projected.back_to_front(&mut order)?;
         let background = Sh::Color::from(rgb888(view.background));
         let mut colors = vec![background; view.pixel_count()];
         let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
-        let colors = colors.into_iter().map(Into::into);
-        let order = projected.order().triangles();
-        Ok(Layers::new((model, view, blend), colors, &layers.borrow(), order, alphas))
+        let colors: Vec<Rgb888> = colors.into_iter().map(Into::into).collect();
+        let mut order = Vec::new();
+        for triangle in projected.order().triangles() {
+            order.push(triangle);
+        }
+        Ok(Layers::new((model, view, blend), &colors, &layers.borrow(), &order, alphas))
     }
+}
+
+/// The alphas of the layers of each pixel.
+fn alphas(triangles: &[ScreenTriangle<1>], size: (usize, usize)) -> Picture<f64> {
+    draw_screen(triangles, size, |sample: Sample<1>| Some(sample.varyings[0]))
 }

@@ -151,10 +151,10 @@ pub(super) fn draw_over(
 }
 
 /// An object in a view, with its surfaces behind its lines.
-fn behind_lines<'a, Sh: Shader, G: geometry::Shape>(
-    object: Formed<'a, Sh, G>,
+fn behind_lines<'a, Sh: Shader>(
+    object: Formed<'a, Sh>,
     view: &View,
-) -> Result<Object<'a, Sh, impl Mode<Blending = Replace> + use<Sh, G>>, ViewError> {
+) -> Result<Object<'a, Sh, impl Mode<Blending = Replace> + use<'a, Sh>>, ViewError> {
     Ok(object.clipped(view.planes.core()?).biased(BEHIND))
 }
 
@@ -170,9 +170,9 @@ struct Over<'a> {
 impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> UseObject<Sh> for Over<'_> {
     type Done = FixedPicture;
 
-    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection>(
         self,
-        object: Formed<'_, Sh, G>,
+        object: Formed<'_, Sh>,
         camera: &Camera<P>,
     ) -> Result<FixedPicture, ViewError> {
         let Self { model, view, options, under, surfaces } = self;
@@ -194,7 +194,7 @@ impl<Sh: Shader<Color = Rgb888, Outcome = Rgb888, Face = ()>> UseObject<Sh> for 
         }
         let before = depth.clone();
         let mut frame = Frame::new(&mut colors, &mut depth, view.area())?;
-        let Ok(()) = for_each_element(model, &mesh, options.edges, |element| {
+        let Ok(()) = for_each_element(model, &mesh, options.edges, &mut |element| {
             element.draw(options, &seen, &mut frame)
         });
         let drawn = FixedPicture::new(view.size, &colors, &depth);
@@ -222,7 +222,7 @@ fn for_each_element<E>(
     model: &Model,
     mesh: &Mesh<'_>,
     edges: Edges,
-    mut visit: impl FnMut(&Element<'_>) -> Result<(), E>,
+    visit: &mut dyn FnMut(&Element<'_>) -> Result<(), E>,
 ) -> Result<(), E> {
     let table = |pairs: &[[u32; 2]]| -> Vec<[u16; 2]> {
         pairs.iter().map(|pair| pair.map(|i| i as u16)).collect()
@@ -374,9 +374,9 @@ where
 {
     type Done = LineOutcome;
 
-    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection>(
         self,
-        object: Formed<'_, Sh, G>,
+        object: Formed<'_, Sh>,
         camera: &Camera<P>,
     ) -> Result<LineOutcome, ViewError> {
         let Self { model, view, options, color } = self;
@@ -392,7 +392,7 @@ where
         }
         let exact = LineEnds::new(model, &view.rounded());
         let mut found = LineOutcome::default();
-        for_each_element(model, &mesh, options.edges, |element| {
+        for_each_element(model, &mesh, options.edges, &mut |element| {
             let before = canvas.clone();
             canvas.draw(view, |frame| element.draw(options, &seen, frame))?;
             let mut owners = Owners::new::<S>(view, options);

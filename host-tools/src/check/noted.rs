@@ -80,9 +80,9 @@ struct Take<'a> {
 impl<'r> UseObject<Recorder<'r>> for Take<'_> {
     type Done = ();
 
-    fn use_object<S: numbers::Subpixel, P: geometry::Projection, G: geometry::Shape>(
+    fn use_object<S: numbers::Subpixel, P: geometry::Projection>(
         self,
-        object: Formed<'_, Recorder<'r>, G>,
+        object: Formed<'_, Recorder<'r>>,
         camera: &Camera<P>,
     ) -> Result<(), ViewError> {
         let pixels = self.view.pixel_count();

@@ -199,22 +199,28 @@ where
     O: Order,
 {
     let mut triangles = Vec::new();
-    let Ok(()) = projected.for_each_triangle(|number, corners| {
-        let vertices = corners.map(|vertex| {
+    let Ok(()) = projected.for_each_triangle(|number, [a, b, c]| {
+        let mut vertex = |vertex: &ScreenVertex<_, _, _>| {
             let position = vertex.position().expect("the corners of a clipped triangle have one");
-            let [x, y] = to_pixels::<V::Subpixel>(position);
             let (depth, varyings) = corner(number, vertex);
-            ReferenceVertex {
-                x: x - f64::from(origin.x),
-                y: y - f64::from(origin.y),
-                depth,
-                varyings,
-            }
-        });
-        triangles.push(ScreenTriangle { vertices, number });
+            reference_vertex(to_pixels::<V::Subpixel>(position), origin, depth, varyings)
+        };
+        // Not by `map`, of which each object, shader, camera and precision would have its own copy.
+        triangles.push(ScreenTriangle { vertices: [vertex(a), vertex(b), vertex(c)], number });
         Ok::<(), Infallible>(())
     });
     triangles
+}
+
+/// A vertex at a place in pixels, which counts from `origin`.
+fn reference_vertex<const N: usize>(
+    [x, y]: [f64; 2],
+    origin: Point,
+    depth: f64,
+    varyings: [f64; N],
+) -> ReferenceVertex<N> {
+    let [x, y] = [x - f64::from(origin.x), y - f64::from(origin.y)];
+    ReferenceVertex { x, y, depth, varyings }
 }
 
 /// A position on the screen in pixels.

@@ -76,17 +76,17 @@ pub(super) fn doubled_area([a, b, c]: [[f64; 2]; 3]) -> f64 {
     Edge::new(a, b, 1.0).value(c)
 }
 
+/// What [`for_each_covered`] calls. Not a type parameter: there are hundreds of such closures, of
+/// which each would have its own copy of the loop.
+pub(super) type Visit<'a> = dyn FnMut([usize; 2], [f64; 3], &Range<usize>) + 'a;
+
 /// Calls `visit(pixel, weights, span)` for every pixel (column, row) of the region whose centre the
 /// triangle covers, row by row. The barycentric weights belong to the corners in their order and
 /// sum to 1 up to rounding. The span has the covered columns of the row.
 ///
 /// The winding does not matter. A triangle without area, or with a coordinate that is not finite,
 /// covers nothing.
-pub(super) fn for_each_covered(
-    corners: [[f64; 2]; 3],
-    region: &Region,
-    mut visit: impl FnMut([usize; 2], [f64; 3], &Range<usize>),
-) {
+pub(super) fn for_each_covered(corners: [[f64; 2]; 3], region: &Region, visit: &mut Visit<'_>) {
     let area = doubled_area(corners);
     if area == 0.0 || !area.is_finite() {
         return;

@@ -53,6 +53,19 @@ pub fn draw_clipped_scene<const N: usize, C: Copy>(
     varyings: impl Fn(Corner) -> [f64; N],
     shade: impl Fn(Sample<N>) -> Option<C>,
 ) -> Picture<C> {
+    draw(camera, mesh, sides, culling, size, &varyings, &shade)
+}
+
+/// [`draw_clipped_scene`], compiled once for all its closures.
+fn draw<const N: usize, C: Copy>(
+    camera: &Camera,
+    mesh: &Mesh,
+    sides: &[HalfSpace],
+    culling: Culling,
+    size: (usize, usize),
+    varyings: &dyn Fn(Corner) -> [f64; N],
+    shade: &dyn Fn(Sample<N>) -> Option<C>,
+) -> Picture<C> {
     let [columns, rows] = camera.viewport.pixels(size);
     let region = Region { columns, rows };
     let mut canvas = Canvas::new(size);
@@ -78,7 +91,7 @@ pub fn draw_clipped_scene<const N: usize, C: Copy>(
             let varyings = fan.map(|i| polygon[i].varyings);
             let corners = fan.map(|i| outline[i]);
             let slopes = weight_slopes(corners);
-            for_each_covered(corners, &region, |pixel, weights, span| {
+            for_each_covered(corners, &region, &mut |pixel, weights, span| {
                 let [per_column, per_row] = slopes.map(|slopes| {
                     linear_slope_each(slopes_in_perspective(weights, slopes, inverse_ws), varyings)
                 });
@@ -91,7 +104,7 @@ pub fn draw_clipped_scene<const N: usize, C: Copy>(
                     per_column,
                     per_row,
                 };
-                canvas.shade(sample, &shade);
+                canvas.shade(sample, shade);
             });
         }
     }

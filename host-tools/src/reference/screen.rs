@@ -44,6 +44,15 @@ pub fn draw_screen<const N: usize, C: Copy>(
     size: (usize, usize),
     shade: impl Fn(Sample<N>) -> Option<C>,
 ) -> Picture<C> {
+    draw(triangles, size, &shade)
+}
+
+/// [`draw_screen`], compiled once for all its closures.
+fn draw<const N: usize, C: Copy>(
+    triangles: &[ScreenTriangle<N>],
+    size: (usize, usize),
+    shade: &dyn Fn(Sample<N>) -> Option<C>,
+) -> Picture<C> {
     let region = Region::whole(size);
     let mut canvas = Canvas::new(size);
     for &ScreenTriangle { vertices, number } in triangles {
@@ -52,7 +61,7 @@ pub fn draw_screen<const N: usize, C: Copy>(
         let corners = vertices.map(|vertex| [vertex.x, vertex.y]);
         let [per_column, per_row] =
             weight_slopes(corners).map(|slopes| linear_slope_each(slopes, varyings));
-        for_each_covered(corners, &region, |pixel, weights, span| {
+        for_each_covered(corners, &region, &mut |pixel, weights, span| {
             let sample = Sample {
                 pixel,
                 span: [span.start, span.end - 1],
@@ -62,7 +71,7 @@ pub fn draw_screen<const N: usize, C: Copy>(
                 per_column,
                 per_row,
             };
-            canvas.shade(sample, &shade);
+            canvas.shade(sample, shade);
         });
     }
     canvas.into_picture()

@@ -20,7 +20,7 @@ fn region() -> Region {
 /// The covered pixels (column, row), row by row.
 fn covered(triangle: Triangle) -> Vec<(usize, usize)> {
     let mut pixels = Vec::new();
-    for_each_covered(triangle, &region(), |[x, y], _, _| pixels.push((x, y)));
+    for_each_covered(triangle, &region(), &mut |[x, y], _, _| pixels.push((x, y)));
     pixels
 }
 
@@ -28,7 +28,7 @@ fn covered(triangle: Triangle) -> Vec<(usize, usize)> {
 fn counts(triangles: &[Triangle]) -> Vec<usize> {
     let mut counts = vec![0; SIZE * SIZE];
     for &triangle in triangles {
-        for_each_covered(triangle, &region(), |[x, y], _, _| counts[y * SIZE + x] += 1);
+        for_each_covered(triangle, &region(), &mut |[x, y], _, _| counts[y * SIZE + x] += 1);
     }
     counts
 }
@@ -256,7 +256,7 @@ fn the_picture_border_cuts_and_loses_nothing() {
     for (columns, rows) in [(5..30, 4..40), (0..SIZE, 30..31), (20..21, 0..SIZE), (0..0, 0..SIZE)] {
         let region = Region { columns, rows };
         let mut inside = Vec::new();
-        for_each_covered(triangle, &region, |[x, y], _, span| {
+        for_each_covered(triangle, &region, &mut |[x, y], _, span| {
             inside.push((x, y));
             let row =
                 all.iter().filter(|(column, row)| *row == y && region.columns.contains(column));
@@ -269,7 +269,7 @@ fn the_picture_border_cuts_and_loses_nothing() {
     }
     let one = Region { columns: 0..1, rows: 0..1 };
     let mut count = 0;
-    for_each_covered([[0.5, 0.5], [0.625, 0.5], [0.5, 0.625]], &one, |_, _, _| count += 1);
+    for_each_covered([[0.5, 0.5], [0.625, 0.5], [0.5, 0.625]], &one, &mut |_, _, _| count += 1);
     assert_eq!(count, 1, "a triangle of 1/128 square pixel with its top left corner on the centre");
 }
 
@@ -284,7 +284,7 @@ fn triangles_without_area_or_with_wild_coordinates_draw_nothing() {
     for wild in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, 1e300, -1e300] {
         for triangle in [[[wild, 0.0], b, a], [a, [9.0, wild], [20.0, 3.0]], [a, b, [wild, wild]]] {
             let mut total = 0.0;
-            for_each_covered(triangle, &region(), |_, weights, _| {
+            for_each_covered(triangle, &region(), &mut |_, weights, _| {
                 total += weights.iter().sum::<f64>();
             });
             assert!(total.is_finite());
@@ -351,7 +351,7 @@ fn the_weights_are_barycentric_coordinates() {
     let triangle = [[2.25, 3.5], [60.5, 17.75], [21.0, 59.5]];
     let mut visited = 0;
     for [a, b, c] in [triangle, [triangle[2], triangle[1], triangle[0]]] {
-        for_each_covered([a, b, c], &region(), |[column, row], [u, v, w], _| {
+        for_each_covered([a, b, c], &region(), &mut |[column, row], [u, v, w], _| {
             visited += 1;
             // Rounding of a dozen operations on numbers below 64.
             assert!((u + v + w - 1.0).abs() < 1e-14);
