@@ -7,35 +7,26 @@ pub mod textures;
 use core::cell::RefCell;
 
 use critical_section::Mutex;
-use embedded_graphics_core::{
-    geometry::{Point, Size},
-    primitives::Rectangle,
-};
 use rasterizer::{
     attribute::{FloatDepth, NoDepth},
-    camera::{Camera, Distance, Perspective},
-    geometry::{Pose, ScreenVertex},
+    camera::Camera,
+    geometry::ScreenVertex,
     mesh::Mesh,
-    numbers::{Rotation, S4, S8, Subpixel, Turn, Vec3},
+    numbers::{S4, S8, Subpixel},
     output::Rgb565Be,
     scene::{self, Object, bin_words},
-    shade::{Flat, Gouraud, Level, Light, OnScreen, Shader},
+    shade::{Flat, Gouraud, OnScreen, Shader},
 };
 
 use crate::{
     console,
-    cost::{Cost, Depth, fail},
+    cost::{Cost, Depth},
     counter,
     memory::{Memory, Shared},
     models,
+    stage::{AREA, PIXELS, SIZE, pose, sun, view, view_on},
 };
 
-/// The size of the display.
-pub const SIZE: Size = Size::new(320, 240);
-/// The display.
-pub(crate) const AREA: Rectangle = Rectangle::new(Point::zero(), SIZE);
-/// Its pixels.
-pub const PIXELS: usize = (SIZE.width * SIZE.height) as usize;
 /// Vertices of the largest model.
 const VERTICES: usize = if cfg!(models) { 3000 } else { 300 };
 /// Triangles of the largest model.
@@ -113,31 +104,6 @@ fn run<const SET_UP: bool, const PIXELS: usize>(mut bench: Bench<'_, SET_UP, PIX
     bench.painted("sphere-flat-painter", &models::SPHERE, flat, &far);
     bench.scene::<FloatDepth, _>("cube-gouraud-float16", &models::CUBE, gouraud, &close);
     bench.scene::<FloatDepth, _>("sphere-flat-float16", &models::SPHERE, flat, &far);
-}
-
-/// One directional light.
-pub(crate) const fn sun() -> Light {
-    Light::new(Vec3::lit("-1", "2", "3"), Level::lit("0.2"), Level::lit("0.8"))
-}
-
-/// A camera that looks at the origin, with its focal length in pixels.
-pub(crate) fn view(focal_length: &str, distance: &str) -> Camera {
-    view_on(AREA, Distance::lit(focal_length), Vec3::lit("0", "0", distance))
-}
-
-/// The same in another viewport and from another place, along the z axis.
-pub(crate) fn view_on(viewport: Rectangle, focal_length: Distance, eye: Vec3) -> Camera {
-    let [near, far] = ["0.1", "100"].map(Distance::lit);
-    let lens = Perspective::with_focal_length(focal_length, near, far);
-    Camera::at(eye, Rotation::IDENTITY, lens.unwrap_or_else(fail), viewport).unwrap_or_else(fail)
-}
-
-/// How the model is turned in a frame.
-pub(crate) fn pose(frame: u32) -> Pose {
-    Pose::rotated(
-        Rotation::about_x(Turn::fraction(30, 512))
-            * Rotation::about_y(Turn::fraction(64 * frame + 20, 512)),
-    )
 }
 
 /// The program that measures what bands cost that keep less than all that could be kept from one to

@@ -29,11 +29,11 @@ use rasterizer::{
 };
 
 use crate::{
-    bench::{AREA, PIXELS, SIZE, pose, view_on},
     console,
     cost::{fail, timed},
     counter::{self, Stage},
-    frames::hash,
+    hash::hash,
+    stage::{AREA, PIXELS, SIZE, pose, view_on},
 };
 
 /// The display's rows in a band of supersampled pixels.

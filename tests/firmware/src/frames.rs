@@ -33,11 +33,12 @@ use rasterizer::{
 };
 
 use crate::{
-    bench::{shades::LAMP, sun},
     console,
     cost::fail,
+    hash::hash,
     memory::Memory,
     models, shiny,
+    stage::{LAMP, sun},
 };
 
 /// Width and height of the frames: 160 KB of colour and depth.
@@ -383,11 +384,4 @@ impl DrawTarget for Hashing {
 /// The hash of the pixels' values.
 fn hash_of(before: u32, pixels: &[Rgb565Be]) -> u32 {
     hash(before, pixels.iter().map(|&pixel| Rgb565::from(pixel).into_storage()))
-}
-
-/// FNV-1a over 16-bit values, which are the same on any core, continued from the hash `before`.
-pub(crate) fn hash(before: u32, values: impl Iterator<Item = u16>) -> u32 {
-    let start = before ^ 0x811C_9DC5;
-    let end = values.fold(start, |hash, value| (hash ^ u32::from(value)).wrapping_mul(0x0100_0193));
-    end ^ 0x811C_9DC5
 }

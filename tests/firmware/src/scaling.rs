@@ -11,12 +11,12 @@ use rasterizer::{
 };
 
 use crate::{
-    bench::{PIXELS, pose, sun, view},
     console,
     cost::Cost,
     counter,
     memory::Memory,
     models,
+    stage::{PIXELS, pose, sun, view},
     surface::Surface,
 };
 

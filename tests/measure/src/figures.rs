@@ -79,6 +79,8 @@ impl<T: Figures> PerCore<T> {
     /// Runs the programs on the cores.
     pub(crate) fn measure(cores: &[Core]) -> Result<Self> {
         let progress = progress::over(T::PROGRAMS.len() * cores.len());
+        progress.set_message("building");
+        firmware::build_ahead(cores, T::PROGRAMS)?;
         let of_core = |&core: &Core| {
             let plugin = Plugin::build(core)?;
             let output = |program: &&str| {

@@ -4,6 +4,7 @@
 //! brings the sources of `core`: Debian's, unless the environment names another.
 
 use std::{
+    collections::BTreeSet,
     env,
     ffi::OsString,
     fs,
@@ -23,22 +24,64 @@ pub(crate) fn root() -> PathBuf {
 
 /// Builds a program for a core and returns its path.
 pub(crate) fn build(core: Core, name: &str) -> Result<PathBuf> {
-    program(Some(core), name, |_| ())
+    program(Some(core), name, feature(name), |_| ())
 }
 
-/// Builds the programs of several scenes for a core at an `opt-level` and returns their folder. The
-/// next build for the same target replaces them, even if it is at another level.
-pub(crate) fn build_scenes(core: Core, names: &[&str], opt_level: &str) -> Result<PathBuf> {
-    let toolchain = Toolchain::find(core)?;
-    let mut command = toolchain.cargo(core);
-    command.env("CARGO_PROFILE_FIRMWARE_OPT_LEVEL", opt_level);
-    run(command, "--example", names)?;
-    Ok(toolchain.output(core).join("examples"))
+/// Builds programs, all with the same feature, for several cores in one call: packages wait for
+/// those that they are made of, but not for those of other targets. [`build`] then finds them.
+pub(crate) fn build_ahead(cores: &[Core], names: &[&str]) -> Result<()> {
+    let Some(name) = names.first() else { return Ok(()) };
+    for (toolchain, cores) in toolchains(cores)? {
+        let mut command = toolchain.cargo(&cores);
+        command.args(with_feature(feature(name)));
+        run(command, "--bin", names)?;
+    }
+    Ok(())
+}
+
+/// The toolchains of cores, each with those that it builds for.
+fn toolchains(cores: &[Core]) -> Result<Vec<(Toolchain, Vec<Core>)>> {
+    let mut all: Vec<(Toolchain, Vec<Core>)> = Vec::new();
+    for &core in cores {
+        let toolchain = Toolchain::find(core)?;
+        match all.iter_mut().find(|(other, _)| *other == toolchain) {
+            Some((_, cores)) => cores.push(core),
+            None => all.push((toolchain, vec![core])),
+        }
+    }
+    Ok(all)
+}
+
+/// The feature of the firmware that has a program.
+fn feature(name: &str) -> &'static str {
+    if name == "frames" { "frames" } else { "bench" }
+}
+
+/// What chooses a feature, and leaves out the others.
+const fn with_feature(feature: &str) -> [&str; 3] {
+    ["--no-default-features", "--features", feature]
+}
+
+/// Builds the programs of several scenes for cores at an `opt-level`, into their
+/// [folders](scenes). The next build for the same target replaces them, even if it is at another
+/// level.
+pub(crate) fn build_scenes(cores: &[Core], names: &[&str], opt_level: &str) -> Result<()> {
+    for (toolchain, cores) in toolchains(cores)? {
+        let mut command = toolchain.cargo(&cores);
+        command.env("CARGO_PROFILE_FIRMWARE_OPT_LEVEL", opt_level).args(with_feature("scenes"));
+        run(command, "--example", names)?;
+    }
+    Ok(())
+}
+
+/// The folder of the scenes' programs for a core.
+pub(crate) fn scenes(core: Core) -> Result<PathBuf> {
+    Ok(Toolchain::find(core)?.output(core).join("examples"))
 }
 
 /// Builds a program for the host and returns its path.
 pub(crate) fn build_for_host(name: &str) -> Result<PathBuf> {
-    program(None, name, |_| ())
+    program(None, name, feature(name), |_| ())
 }
 
 /// Builds the program of the choices in a file of Rust, for a core or for the host, and returns its
@@ -61,18 +104,23 @@ pub(crate) fn build_stiff(core: Core, instances: &Path) -> Result<PathBuf> {
 /// same name keeps it out of other builds.
 fn around(core: Option<Core>, name: &str, variable: &str, file: &Path) -> Result<PathBuf> {
     let file = path::absolute(file)?;
-    program(core, name, |command| {
-        command.env(variable, file).args(["--features", name]);
+    program(core, name, name, |command| {
+        command.env(variable, file);
     })
 }
 
-/// Builds a program for a core or for the host, by a command that `complete` completes, and returns
-/// its path.
-fn program(core: Option<Core>, name: &str, complete: impl FnOnce(&mut Command)) -> Result<PathBuf> {
+/// Builds a program with a feature, for a core or for the host, by a command that `complete`
+/// completes, and returns its path.
+fn program(
+    core: Option<Core>,
+    name: &str,
+    feature: &str,
+    complete: impl FnOnce(&mut Command),
+) -> Result<PathBuf> {
     let (mut command, folder, extension) = match core {
         Some(core) => {
             let toolchain = Toolchain::find(core)?;
-            (toolchain.cargo(core), toolchain.output(core), "")
+            (toolchain.cargo(&[core]), toolchain.output(core), "")
         }
         None => {
             let mut command = Command::new(cargo_in_use());
@@ -80,6 +128,7 @@ fn program(core: Option<Core>, name: &str, complete: impl FnOnce(&mut Command)) 
             (command, target_directory().join("release"), env::consts::EXE_EXTENSION)
         }
     };
+    command.args(with_feature(feature));
     complete(&mut command);
     run(command, "--bin", &[name])?;
     Ok(folder.join(name).with_extension(extension))
@@ -106,6 +155,7 @@ const CARGO_ARGUMENTS: [&str; 4] = ["build", "--quiet", "--package", "firmware"]
 const PROFILE: &str = "firmware";
 
 /// The compiler, and the folder to build in.
+#[derive(PartialEq, Eq)]
 struct Toolchain {
     rustc: OsString,
     cargo: OsString,
@@ -156,15 +206,18 @@ impl Toolchain {
         })
     }
 
-    /// The command that builds programs of the firmware.
-    fn cargo(&self, core: Core) -> Command {
+    /// The command that builds programs of the firmware for some cores.
+    fn cargo(&self, cores: &[Core]) -> Command {
+        let targets: BTreeSet<_> = cores.iter().map(|core| core.facts().target).collect();
         let mut command = Command::new(&self.cargo);
-        command.args(CARGO_ARGUMENTS);
-        command.args(["--profile", PROFILE, "--target", core.facts().target]);
+        command.args(CARGO_ARGUMENTS).args(["--profile", PROFILE]);
+        command.args(targets.iter().flat_map(|target| ["--target", target]));
         if let Some(linker) = &self.builds_core_with {
-            let triple = core.facts().target.replace(['-', '.'], "_").to_uppercase();
+            for target in targets {
+                let triple = target.replace(['-', '.'], "_").to_uppercase();
+                command.env(format!("CARGO_TARGET_{triple}_LINKER"), linker);
+            }
             command
-                .env(format!("CARGO_TARGET_{triple}_LINKER"), linker)
                 .env("RUSTC", &self.rustc)
                 // Debian's compiler is a stable one, and -Zbuild-std is not.
                 .env("RUSTC_BOOTSTRAP", "1")

@@ -31,6 +31,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     let host = firmware::output_of(&mut Command::new(firmware::build_for_host("frames")?))?;
     let host: Vec<_> = host.lines().collect();
     progress.inc(1);
+    progress.set_message("building for the cores");
+    firmware::build_ahead(&cores, &["frames"])?;
     let (mut text, mut is_good) = (String::new(), true);
     for core in cores {
         progress.set_message(format!("frames on {}", core.title()));

@@ -13,7 +13,6 @@ mod particles;
 mod samples;
 mod scissor;
 
-pub(crate) use light::LAMP;
 use rasterizer::{
     camera::Camera,
     mesh::Mesh,
@@ -23,7 +22,7 @@ use rasterizer::{
 };
 
 use super::{Bench, MEMORY, MODES, PIXELS, SUITED, Suited, sun, view};
-use crate::{console, cost::Depth, counter, models};
+use crate::{console, cost::Depth, counter, models, stage::LAMP};
 
 /// The largest model's vertices.
 const VERTICES: usize = 300;

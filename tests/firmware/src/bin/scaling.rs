@@ -3,10 +3,10 @@
 #![cfg_attr(target_os = "none", no_std, no_main)]
 
 use firmware::{
-    bench::PIXELS,
     console, counter,
     memory::{Memory, Shared},
     scaling::{self, TRIANGLES, VERTICES},
+    stage::PIXELS,
     surface::{self, Surface},
 };
 

@@ -20,7 +20,7 @@ use rasterizer::{
 };
 
 use super::{Choice, Memory, Shared, Shows};
-use crate::{bench::SIZE, cost::timed, counter::Stage};
+use crate::{cost::timed, counter::Stage, stage::SIZE};
 
 /// A vertex on the screen, and the light on it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -292,7 +292,7 @@ mod tests {
     use std::{vec, vec::Vec};
 
     use super::*;
-    use crate::bench::PIXELS;
+    use crate::stage::PIXELS;
 
     const fn vertex(x: f32, y: f32, nearness: f32) -> Vertex {
         Vertex { x, y, nearness, level: x / 320.0 }

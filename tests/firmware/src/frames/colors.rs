@@ -11,8 +11,8 @@ use rasterizer::{
     shade::{Dithered, Gouraud, Light},
 };
 
-use super::{AREA, LENS, PIXELS, ROWS, VERTICES, draw, hash};
-use crate::{console, cost::fail, memory::Memory, models};
+use super::{AREA, LENS, PIXELS, ROWS, VERTICES, draw};
+use crate::{console, cost::fail, hash::hash, memory::Memory, models};
 
 /// Filling the picture; with the surface through the near plane; from inside.
 pub(super) fn dithered(memory: &mut Memory<PIXELS>, light: Light) {

@@ -8,23 +8,13 @@
 //! `measure` runs it in QEMU and reads the RAM when the core asks for a reset: the buffers, the
 //! checksum, and how far down the stack has reached.
 
-mod blended;
-mod color;
 mod display;
-mod fog;
-mod frames;
-mod light;
-mod lines;
-mod motion;
-mod painter;
-mod particles;
+#[cfg(feature = "scenes")]
 pub mod scenes;
-mod textured;
 
 use core::sync::atomic::{AtomicU32, Ordering};
 
 pub use display::Display;
-pub use frames::Bands;
 
 /// The checksum of the display at the end of the scene. 0 before, and if the scene failed.
 #[used]

@@ -1,6 +1,17 @@
 //! The scenes. Each but the first two differs from the one before it, or from [`GouraudS4`], in one
 //! choice.
 
+mod blended;
+mod color;
+mod fog;
+mod frames;
+mod light;
+mod lines;
+mod motion;
+mod painter;
+mod particles;
+mod textured;
+
 use core::hint::black_box;
 
 use embedded_graphics_core::{
@@ -18,33 +29,33 @@ use rasterizer::{
     shade::{Flat, Gouraud, Level, Light, Unlit},
 };
 
-pub use super::blended::{BlendedOver, BlendedSorted};
-pub use super::color::{DitheredDirect, DitheredPacked};
-pub use super::fog::{FogPixels, FogVertices, Matcap, VertexColors};
-pub use super::light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
-pub use super::lines::{LinesDirect, LinesHidden, LinesSmooth, PointsDirect};
-pub use super::motion::{GouraudFile, GouraudMorph, GouraudMoving, GouraudShaped};
-pub use super::painter::PainterDirect;
-pub use super::particles::ParticlesAdd;
-pub use super::textured::{
+pub use blended::{BlendedOver, BlendedSorted};
+pub use color::{DitheredDirect, DitheredPacked};
+pub use fog::{FogPixels, FogVertices, Matcap, VertexColors};
+pub use frames::Bands;
+use frames::{HEIGHT, ROWS, View, for_each_view, picture};
+pub use light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
+pub use lines::{LinesDirect, LinesHidden, LinesSmooth, PointsDirect};
+pub use motion::{GouraudFile, GouraudMorph, GouraudMoving, GouraudShaped};
+pub use painter::PainterDirect;
+pub use particles::ParticlesAdd;
+pub use textured::{
     TexturedBilinear, TexturedDepth, TexturedDirect, TexturedGouraud, TexturedTrilinear,
 };
-use super::{
-    Display, Scene,
-    frames::{Bands, HEIGHT, ROWS, View, for_each_view, picture},
-};
+
+use super::{Display, Scene};
 #[cfg(models)]
 use crate::models::SPOT;
 use crate::models::{BALL, CUBE, SPHERE};
 pub use crate::walk::Walk;
 
 /// The pixels of a band of a picture of 240 columns.
-pub(super) const NARROW: usize = 240 * ROWS as usize;
+const NARROW: usize = 240 * ROWS as usize;
 
 const NEAR: Distance = Distance::lit("0.1");
 const FAR: Distance = Distance::lit("100");
 
-pub(super) const PERSPECTIVE: Perspective = match Perspective::new(Turn::degrees(40), NEAR, FAR) {
+const PERSPECTIVE: Perspective = match Perspective::new(Turn::degrees(40), NEAR, FAR) {
     Ok(lens) => lens,
     Err(_) => panic!("the lens makes no sense"),
 };
@@ -55,9 +66,9 @@ const ORTHOGRAPHIC: Orthographic = match Orthographic::new(Distance::lit("2.5"),
 
 // In constants, because a text that is read at run time brings the code to read it.
 const SUN: Vec3 = Vec3::lit("-1", "2", "3");
-pub(super) const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
+const LIGHT: Light = Light::new(SUN, Level::lit("0.2"), Level::lit("0.8"));
 
-pub(super) const PICTURE: Rectangle = picture(240);
+const PICTURE: Rectangle = picture(240);
 
 /// A model with light at its vertices and depth, in bands.
 fn gouraud<P: Projection, S: Subpixel, D, const PIXELS: usize, const VERTICES: usize>(
@@ -79,7 +90,7 @@ where
 }
 
 /// A camera that looks along -z.
-pub(super) fn camera<P: Projection>(view: &View, lens: P, picture: Rectangle) -> Option<Camera<P>> {
+fn camera<P: Projection>(view: &View, lens: P, picture: Rectangle) -> Option<Camera<P>> {
     Camera::at(view.eye, Rotation::IDENTITY, lens, picture).ok()
 }
 

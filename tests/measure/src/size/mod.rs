@@ -106,17 +106,14 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
     let mut budgets = Budgets::load()?;
     let scenes = scenes()?;
     let names: Vec<_> = scenes.iter().map(String::as_str).collect();
-    let progress = progress::over(cores.len() * Level::ALL.len() * (1 + scenes.len()));
+    let progress = progress::over(Level::ALL.len() * (1 + cores.len() * scenes.len()));
     let mut all = Vec::new();
-    for &core in &cores {
-        for level in Level::ALL {
-            progress.set_message(format!(
-                "building for {} at opt-level {}",
-                core.title(),
-                level.name()
-            ));
-            let directory = firmware::build_scenes(core, &names, level.name())?;
-            progress.inc(1);
+    for level in Level::ALL {
+        progress.set_message(format!("building at opt-level {}", level.name()));
+        firmware::build_scenes(&cores, &names, level.name())?;
+        progress.inc(1);
+        for &core in &cores {
+            let directory = firmware::scenes(core)?;
             for name in &names {
                 progress.set_message(format!("{name} on {}", core.title()));
                 all.push(measure(core, level, &name.replace('_', "-"), &directory.join(name))?);
@@ -149,8 +146,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Done> {
 ///
 /// Returns an error if it cannot be built or run.
 pub(crate) fn runtime(core: Core) -> Result<[u32; 2]> {
-    let folder = firmware::build_scenes(core, &[EMPTY], Level::Three.name())?;
-    let measured = measure(core, Level::Three, EMPTY, &folder.join(EMPTY))?;
+    firmware::build_scenes(&[core], &[EMPTY], Level::Three.name())?;
+    let measured = measure(core, Level::Three, EMPTY, &firmware::scenes(core)?.join(EMPTY))?;
     Ok([Kind::Flash, Kind::Stack].map(|kind| measured.bytes[&kind]))
 }
 

@@ -2,20 +2,15 @@
 
 use rasterizer::{
     attribute::Affine,
-    camera::Distance,
     numbers::Vec3,
-    shade::{GlossyGouraud, Gouraud, Lamp, Level, Light, Phong, TexturedFlat, TexturedGouraud},
+    shade::{GlossyGouraud, Gouraud, Level, Light, Phong, TexturedFlat, TexturedGouraud},
 };
 
 use super::{Scenes, sun};
-use crate::{models, shiny};
+use crate::{models, shiny, stage::LAMP};
 
 /// A light from the other side.
 const FILL: Light = Light::new(Vec3::lit("2", "-1", "1"), Level::ZERO, Level::lit("0.4"));
-
-/// Beside the model.
-pub(crate) const LAMP: Lamp =
-    Lamp::new(Vec3::lit("0.8", "0.9", "1.2"), Distance::lit("1.5"), Level::lit("0.8"));
 
 impl<const SET_UP: bool> Scenes<'_, SET_UP> {
     /// By vertex, by pixel, and light times texture.

@@ -11,11 +11,8 @@ use rasterizer::{
     shade::Squares,
 };
 
-use super::{
-    Display, Scene,
-    frames::for_each_view,
-    scenes::{NARROW, PERSPECTIVE, PICTURE, camera},
-};
+use super::{NARROW, PERSPECTIVE, PICTURE, camera, frames::for_each_view};
+use crate::sizes::{Display, Scene};
 
 const COUNT: usize = 100;
 const DARK: Particle<Rgb565> = Particle::new(Vec3::ZERO, Distance::ZERO, Rgb565::BLACK);

@@ -1,5 +1,5 @@
 //! The scenes of meshes that move, are shaped by a matrix, or come as bytes. They differ from
-//! [`super::scenes`]' `GouraudS4` in that, and in their model, a sphere.
+//! [`super`]' `GouraudS4` in that, and in their model, a sphere.
 
 use core::hint::black_box;
 
@@ -11,11 +11,11 @@ use rasterizer::{
 };
 
 use super::{
-    Display, Scene,
+    LIGHT, NARROW, PERSPECTIVE, PICTURE, camera,
     frames::{Bands, for_each_view},
-    scenes::{LIGHT, NARROW, PERSPECTIVE, PICTURE, camera},
 };
 use crate::models::{PULSE_KEYFRAMES, SPHERE};
+use crate::sizes::{Display, Scene};
 
 /// The sphere's vertices.
 const VERTICES: usize = SPHERE.vertex_count();

@@ -1,4 +1,4 @@
-//! The scenes with blending: the ball of [`GouraudS4`](super::scenes::GouraudS4) over a background.
+//! The scenes with blending: the ball of [`GouraudS4`](super::GouraudS4) over a background.
 
 use rasterizer::{
     attribute::NoDepth,
@@ -11,11 +11,11 @@ use rasterizer::{
 };
 
 use super::{
-    Display, Scene,
+    LIGHT, NARROW, PERSPECTIVE, PICTURE, camera,
     frames::{Bands, for_each_view},
-    scenes::{LIGHT, NARROW, PERSPECTIVE, PICTURE, camera},
 };
 use crate::models::BALL;
+use crate::sizes::{Display, Scene};
 
 const PART: Alpha = Alpha::lit("0.4");
 

@@ -1,4 +1,4 @@
-//! The scenes with fog, vertex colours and a matcap. The first two differ from [`super::scenes`]'
+//! The scenes with fog, vertex colours and a matcap. The first two differ from [`super`]'
 //! `GouraudS4` in their fog, and in their model, a sphere.
 
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -11,11 +11,11 @@ use rasterizer::{
 };
 
 use super::{
-    Display, Scene,
+    LIGHT, NARROW, PERSPECTIVE, PICTURE, camera,
     frames::{Bands, for_each_view},
-    scenes::{LIGHT, NARROW, PERSPECTIVE, PICTURE, camera},
 };
 use crate::models::{COLORED_SPHERE, SPHERE, WOODEN_CRATE_TEXTURES, WoodenCrateTexture};
+use crate::sizes::{Display, Scene};
 
 static FOG: Fog = Fog::linear(Distance::lit("1"), Distance::lit("5")).unwrap();
 const MIST: Rgb565 = Rgb565::new(20, 44, 24);

@@ -7,11 +7,11 @@ use rasterizer::{
 };
 
 use super::{
-    Display, Scene,
+    NARROW, PERSPECTIVE, PICTURE, camera,
     frames::{Bands, for_each_view},
-    scenes::{NARROW, PERSPECTIVE, PICTURE, camera},
 };
 use crate::models::{BALL, BALL_EDGES, BALL_POINTS};
+use crate::sizes::{Display, Scene};
 
 type Vertex<D> = ScreenVertex<S4, D, [u16; 0]>;
 

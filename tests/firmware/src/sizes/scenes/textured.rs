@@ -12,14 +12,14 @@ use rasterizer::{
 };
 
 use super::{
-    Display, Scene,
+    LIGHT, NARROW, PERSPECTIVE, PICTURE, camera,
     frames::{Bands, for_each_view},
-    scenes::{LIGHT, NARROW, PERSPECTIVE, PICTURE, camera},
 };
 use crate::models::{
     WOODEN_CRATE as CRATE, WOODEN_CRATE_MIPS_TEXTURES as MIPS, WOODEN_CRATE_TEXTURES as TEXTURES,
     WoodenCrateMipsTexture, WoodenCrateTexture,
 };
+use crate::sizes::{Display, Scene};
 
 /// The crate's vertices and a band for them, with depth.
 type WithDepth<Sh> = Bands<S4, u16, OnScreen<Sh>, NARROW, { CRATE.vertex_count() }>;

@@ -1,5 +1,5 @@
 //! The scenes of lights and highlights: a ball of 500 triangles with light at its vertices or at
-//! each pixel. Each differs from [`GouraudS4`](super::scenes::GouraudS4) in its shader.
+//! each pixel. Each differs from [`GouraudS4`](super::GouraudS4) in its shader.
 
 use embedded_graphics_core::pixelcolor::Rgb565;
 use rasterizer::{
@@ -10,11 +10,11 @@ use rasterizer::{
 };
 
 use super::{
-    Display, Scene,
+    LIGHT, NARROW, PERSPECTIVE, PICTURE, camera,
     frames::{Bands, for_each_view},
-    scenes::{LIGHT, NARROW, PERSPECTIVE, PICTURE, camera},
 };
-use crate::{bench::shades::LAMP, models, shiny};
+use crate::sizes::{Display, Scene};
+use crate::{models, shiny, stage::LAMP};
 
 /// The ball's vertices and a band for them, with depth.
 type Memory<Sh> = Bands<S4, u16, OnScreen<Sh>, NARROW, { models::BALL.vertex_count() }>;

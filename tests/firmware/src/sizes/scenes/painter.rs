@@ -10,12 +10,9 @@ use rasterizer::{
     shade::Flat,
 };
 
-use super::{
-    Display, Scene,
-    frames::for_each_view,
-    scenes::{LIGHT, PERSPECTIVE, PICTURE, camera},
-};
+use super::{LIGHT, PERSPECTIVE, PICTURE, camera, frames::for_each_view};
 use crate::models::{BALL, CUBE};
+use crate::sizes::{Display, Scene};
 
 type Vertex = ScreenVertex<S4, NoDepth, [u16; 0]>;
 

@@ -20,7 +20,7 @@ use rasterizer::{
     shade::Shader,
 };
 
-use super::Display;
+use crate::sizes::Display;
 
 /// Rows of all pictures.
 pub(super) const HEIGHT: u32 = 240;

@@ -19,12 +19,9 @@ use rasterizer::{
     shade::{Dithered, Gouraud},
 };
 
-use super::{
-    Display, Scene,
-    frames::for_each_view,
-    scenes::{LIGHT, PERSPECTIVE, camera},
-};
+use super::{LIGHT, PERSPECTIVE, camera, frames::for_each_view};
 use crate::models::BALL;
+use crate::sizes::{Display, Scene};
 
 const OLED: Rectangle = Rectangle::new(Point::zero(), Size::new(128, 64));
 const PIXELS: usize = 128 * 64;
