@@ -39,12 +39,17 @@ pub(crate) fn build_ahead(cores: &[Core], names: &[&str]) -> Result<()> {
     Ok(())
 }
 
-/// The toolchains of cores, each with those that it builds for.
+/// The toolchains of cores, each with those that it builds for in one call. Cores of different
+/// architectures are apart: Cargo unites the features of a package for all targets of a call, and
+/// `critical-section` must have those of one.
 fn toolchains(cores: &[Core]) -> Result<Vec<(Toolchain, Vec<Core>)>> {
     let mut all: Vec<(Toolchain, Vec<Core>)> = Vec::new();
     for &core in cores {
         let toolchain = Toolchain::find(core)?;
-        match all.iter_mut().find(|(other, _)| *other == toolchain) {
+        let is_like = |(other, cores): &&mut (Toolchain, Vec<Core>)| {
+            *other == toolchain && cores.iter().all(|other| other.emulator() == core.emulator())
+        };
+        match all.iter_mut().find(is_like) {
             Some((_, cores)) => cores.push(core),
             None => all.push((toolchain, vec![core])),
         }
