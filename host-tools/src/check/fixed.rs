@@ -260,10 +260,8 @@ where
         let size = view.size.map(|c| c as usize).into();
         SeenPicture::new(fog, &fog::triangles(&triangles, &inverses), size)
     });
-    let mut vertices = Vec::new();
-    for vertex in projected.vertices() {
-        vertices.push(vertex.position().map(to_pixels::<S>));
-    }
+    let vertices =
+        projected.vertices().iter().map(|vertex| vertex.position().map(to_pixels::<S>)).collect();
     Ok(Placed {
         picture: drawn.picture(view.area()),
         triangles,

@@ -84,10 +84,7 @@ where
         let mut colors = vec![background; view.pixel_count()];
         let Ok(()) = projected.draw(&mut Frame::without_depth(&mut colors, view.area())?);
         let colors: Vec<Rgb888> = colors.into_iter().map(Into::into).collect();
-        let mut order = Vec::new();
-        for triangle in projected.order().triangles() {
-            order.push(triangle);
-        }
+        let order: Vec<usize> = projected.order().triangles().collect();
         Ok(Layers::new((model, view, blend), &colors, &layers.borrow(), &order, alphas))
     }
 }
