@@ -7,8 +7,13 @@ use super::{
     labels::{self, Extent, LINE_HEIGHT, Room},
 };
 
-/// The size of a chart with its labels, in user units.
-pub(super) const CELL: [f64; 2] = [520.0, 370.0];
+/// The least size of a chart with its labels, in user units.
+const CELL: [f64; 2] = [520.0, 370.0];
+/// The length of a curve's sample in the legend, the distance from it to the label, and that from
+/// the label to the next chart.
+const SAMPLE: f64 = 18.0;
+const TO_LABEL: f64 = 6.0;
+const GAP: f64 = 10.0;
 /// The upper left corner of the area within the cell.
 const CORNER: Place = [60.0, 48.0];
 /// The half of an error bar's end, and of the square that labels leave to a marker.
@@ -17,9 +22,10 @@ const MARKER: f64 = 6.0;
 
 /// Draws all charts, `columns` of them in a row.
 pub(super) fn charts(canvas: &mut impl Canvas, charts: &[Chart], columns: usize) {
+    let [width, height] = cell(charts);
     for (index, chart) in charts.iter().enumerate() {
         let [column, row] = [index % columns, index / columns].map(|place| place as f64);
-        let corner = [CELL[0] * column + CORNER[0], CELL[1] * row + CORNER[1]];
+        let corner = [width * column + CORNER[0], height * row + CORNER[1]];
         Drawing { chart, area: Area::new(chart, corner), canvas }.draw();
     }
 }
@@ -102,7 +108,7 @@ impl<C: Canvas> Drawing<'_, C> {
             );
         }
         let axes = [&self.chart.x, &self.chart.y];
-        if self.is_marked() || axes.iter().any(|axis| axis.range.is_some()) {
+        if is_marked(self.chart) || axes.iter().any(|axis| axis.range.is_some()) {
             // Something may stand at the edge or end there, so the edge has to be seen.
             for x in [left, right] {
                 self.canvas.line(&Line::Upright { x, top, bottom }, Stroke::thin(Color::GRID));
@@ -235,24 +241,19 @@ impl<C: Canvas> Drawing<'_, C> {
             .collect();
         // A low area may have less height than the legend.
         let limit = bottom.max(top + LINE_HEIGHT * curves.len().saturating_sub(1) as f64);
-        let width = 18.0;
-        // A marker at the edge takes some of the gap.
-        let left = right + if self.is_marked() { 14.0 } else { 8.0 };
+        let left = right + to_samples(self.chart);
         for (curve, y) in curves.into_iter().zip(labels::spread(&ends, limit)) {
             if curve.shape != Shape::Markers {
-                let sample = Line::Sample { at: [left, y], width };
+                let sample = Line::Sample { at: [left, y], width: SAMPLE };
                 self.canvas.line(&sample, curve.stroke());
             }
             if let Some(marker) = curve.marker {
-                let at = [left + width / 2.0, y];
+                let at = [left + SAMPLE / 2.0, y];
                 self.canvas.glyph(Glyph::Marker(marker), at, Color::of_palette(curve.color));
             }
-            self.text(&curve.label, [left + width + 6.0, y + 4.0], TextSize::Normal, Anchor::Start);
+            let at = [left + SAMPLE + TO_LABEL, y + 4.0];
+            self.text(&curve.label, at, TextSize::Normal, Anchor::Start);
         }
-    }
-
-    fn is_marked(&self) -> bool {
-        self.chart.curves.iter().any(|curve| curve.marker.is_some())
     }
 
     /// Where a level meets the axis that it belongs to; the other coordinate has no meaning.
@@ -296,8 +297,27 @@ impl Curve {
     }
 }
 
-/// The size of a picture of this number of charts, in user units.
-pub(super) fn size(charts: usize, columns: usize) -> [f64; 2] {
-    let [width, height] = [columns, charts.div_ceil(columns)];
-    [CELL[0] * width as f64, CELL[1] * height as f64]
+/// The size of a picture of charts, in user units.
+pub(super) fn size(charts: &[Chart], columns: usize) -> [f64; 2] {
+    let [width, height] = cell(charts);
+    [width * columns as f64, height * charts.len().div_ceil(columns) as f64]
+}
+
+/// The size of each chart of a picture: as wide as the one with the longest legend needs it.
+fn cell(charts: &[Chart]) -> [f64; 2] {
+    let width = |chart: &Chart| {
+        let labels = chart.curves.iter().map(|curve| TextSize::Normal.width_of(&curve.label));
+        let to_labels = Area::new(chart, CORNER).right + to_samples(chart) + SAMPLE + TO_LABEL;
+        to_labels + labels.fold(0.0, f64::max) + GAP
+    };
+    [charts.iter().map(width).fold(CELL[0], f64::max).ceil(), CELL[1]]
+}
+
+/// From the area to the legend. A marker at the edge takes some of the gap.
+fn to_samples(chart: &Chart) -> f64 {
+    if is_marked(chart) { 14.0 } else { 8.0 }
+}
+
+fn is_marked(chart: &Chart) -> bool {
+    chart.curves.iter().any(|curve| curve.marker.is_some())
 }

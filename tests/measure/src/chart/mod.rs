@@ -130,7 +130,7 @@ impl From<[f64; 2]> for Point {
 
 /// Returns a picture of the charts as SVG, `columns` of them in a row.
 pub(crate) fn svg(charts: &[Chart], columns: usize) -> String {
-    let mut canvas = svg::Svg::new(draw::size(charts.len(), columns));
+    let mut canvas = svg::Svg::new(draw::size(charts, columns));
     draw::charts(&mut canvas, charts, columns);
     canvas.finish()
 }
@@ -141,7 +141,7 @@ pub(crate) fn svg(charts: &[Chart], columns: usize) -> String {
 ///
 /// If there is no chart.
 pub(crate) fn png(charts: &[Chart], columns: usize) -> Result<Vec<u8>> {
-    let mut canvas = png::Dots::new(draw::size(charts.len(), columns));
+    let mut canvas = png::Dots::new(draw::size(charts, columns));
     draw::charts(&mut canvas, charts, columns);
     canvas.finish().context("a picture of the charts could not be written")
 }

@@ -165,3 +165,13 @@ fn both_formats_show_the_same_parts() {
     }
     assert_eq!(color(520 + 62, 370 + 316), [0xff; 3]);
 }
+
+#[test]
+fn a_long_legend_has_room_before_the_next_chart() {
+    let mut long = example();
+    long.curves[0].label = "a label of forty characters, to be seen!".into();
+    // The area ends at 240; 14 to the sample, 18 and 6 to the label, forty letters of 7.2, and 10.
+    let text = svg(&[example(), long], 2);
+    assert!(text.contains(r#"width="1152" height="370""#), "{text}");
+    assert!(text.contains(r#"x="636.0""#), "the right chart begins at 576 + 60: {text}");
+}
