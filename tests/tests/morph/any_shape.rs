@@ -5,6 +5,7 @@ use rasterizer::{
     geometry::{self, AnyShape, ClipPlanes, Clipping, CullBack, Plane},
     raster::NoBias,
     scene::Modes,
+    shade::Lamp,
 };
 
 use super::*;
@@ -36,6 +37,13 @@ fn pictures_are_those_of_the_own_type() {
     let half = Scalar::lit("0.5");
     let mirror = Matrix::scaling(-half, Scalar::ONE, half);
     let cut = ClipPlanes::in_world([Plane::new(Vec3::lit("1", "2", "1"), Scalar::lit("-0.2"))]);
+    // Positions of a quarter of their range leave two bits, which a matrix uses.
+    let mut little = Shape::ball();
+    little.positions.iter_mut().for_each(|position| *position = position.map(|c| c / 4));
+    let little = little.mesh();
+    // It lights vertices in the changed mesh, whose scale is another.
+    let long = Matrix::scaling(Scalar::ONE, Scalar::lit("-1.9"), Scalar::ONE);
+    let lamp = Lamp::new(Vec3::lit("0.9", "0.8", "1.2"), Distance::lit("0.7"), Level::lit("0.9"));
     let mut drawn = Vec::new();
     for distance in ["5", "1.6", "1.25", "0.9"] {
         let light = Phong::new(LIGHT);
@@ -43,6 +51,9 @@ fn pictures_are_those_of_the_own_type() {
         let textured = TexturedGouraud::new(&TEXTURES, LIGHT);
         let shaped = Object::new(&ball, textured).posed(pose).shaped(&mirror);
         drawn.extend(is_drawn_alike(shaped, distance));
+        let larger = pose.scaled(const { Distance::lit("4") });
+        let lit = Object::new(&little, Gouraud::new(lamp)).posed(larger).shaped(&long);
+        drawn.extend(is_drawn_alike(lit, distance));
         let morphed = Object::morphed(&tween, Flat::new(LIGHT)).posed(pose);
         drawn.extend(is_drawn_alike(morphed, distance));
         drawn.extend(is_drawn_alike(morphed.clipped(cut), distance));

@@ -36,7 +36,9 @@ pub use frames::Bands;
 use frames::{HEIGHT, ROWS, View, for_each_view, picture};
 pub use light::{GlossyGouraud, GouraudLamp, Phong, PhongLamp};
 pub use lines::{LinesDirect, LinesHidden, LinesSmooth, PointsDirect};
-pub use motion::{GouraudFile, GouraudMorph, GouraudMoving, GouraudShaped};
+pub use motion::{
+    GouraudAnyShape, GouraudFile, GouraudMorph, GouraudMoving, GouraudShaped, GouraudShapes,
+};
 pub use painter::PainterDirect;
 pub use particles::ParticlesAdd;
 pub use textured::{

@@ -19,6 +19,9 @@ use crate::sizes::{Display, Scene};
 
 /// The sphere's vertices.
 const VERTICES: usize = SPHERE.vertex_count();
+const PROGRESS: Progress = Progress::lit("0.3");
+const FLAT: Matrix = Matrix::scaling(Scalar::ONE, Scalar::lit("0.5"), Scalar::NEG_ONE);
+
 type Smooth<const VERTICES: usize> = Bands<S4, u16, [u16; 1], NARROW, VERTICES>;
 
 /// A sphere between two shapes.
@@ -32,8 +35,7 @@ impl Scene for GouraudMorph {
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
         for_each_view(|view| {
-            let progress = black_box(const { Progress::lit("0.3") });
-            let tween = PULSE_KEYFRAMES.between(0, 1, progress)?;
+            let tween = PULSE_KEYFRAMES.between(0, 1, black_box(PROGRESS))?;
             let object = Object::morphed(&tween, Gouraud::new(LIGHT)).posed(view.pose());
             memory.draw(&object, &camera(view, PERSPECTIVE, PICTURE)?, display)
         })
@@ -50,11 +52,58 @@ impl Scene for GouraudShaped {
     const MEMORY: Self::Memory = Bands::EMPTY;
 
     fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
-        const FLAT: Matrix = Matrix::scaling(Scalar::ONE, Scalar::lit("0.5"), Scalar::NEG_ONE);
         for_each_view(|view| {
             let object = Object::new(&SPHERE, Gouraud::new(LIGHT)).shaped(black_box(&FLAT));
             let object = object.posed(view.pose());
             memory.draw(&object, &camera(view, PERSPECTIVE, PICTURE)?, display)
+        })
+    }
+}
+
+/// A sphere as it was modelled, one in a matrix, and one between two shapes: each of a type of its
+/// shape, so that what draws is there three times.
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudShapes;
+
+impl Scene for GouraudShapes {
+    type Memory = Smooth<{ PULSE_KEYFRAMES.mesh().vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        for_each_view(|view| {
+            let (shader, camera) = (Gouraud::new(LIGHT), camera(view, PERSPECTIVE, PICTURE)?);
+            let tween = PULSE_KEYFRAMES.between(0, 1, black_box(PROGRESS))?;
+            let modelled = Object::new(PULSE_KEYFRAMES.mesh(), shader).posed(view.pose());
+            memory.draw(&modelled, &camera, display)?;
+            memory.draw(&modelled.shaped(black_box(&FLAT)), &camera, display)?;
+            memory.draw(&Object::morphed(&tween, shader).posed(view.pose()), &camera, display)
+        })
+    }
+}
+
+/// The same spheres in [one type](rasterizer::geometry::AnyShape).
+#[derive(Clone, Copy, Debug)]
+pub struct GouraudAnyShape;
+
+impl Scene for GouraudAnyShape {
+    type Memory = Smooth<{ PULSE_KEYFRAMES.mesh().vertex_count() }>;
+
+    const MEMORY: Self::Memory = Bands::EMPTY;
+
+    fn draw(memory: &mut Self::Memory, display: &mut Display) -> Option<()> {
+        for_each_view(|view| {
+            let (shader, camera) = (Gouraud::new(LIGHT), camera(view, PERSPECTIVE, PICTURE)?);
+            let tween = PULSE_KEYFRAMES.between(0, 1, black_box(PROGRESS))?;
+            let modelled = Object::new(PULSE_KEYFRAMES.mesh(), shader);
+            for sphere in [
+                modelled.in_any_shape(),
+                modelled.shaped(black_box(&FLAT)).in_any_shape(),
+                Object::morphed(&tween, shader).in_any_shape(),
+            ] {
+                memory.draw(&sphere.posed(view.pose()), &camera, display)?;
+            }
+            Some(())
         })
     }
 }
