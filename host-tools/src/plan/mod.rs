@@ -22,6 +22,7 @@ mod order_tests;
 mod predict;
 mod request;
 mod seen;
+mod slivers;
 mod source;
 mod study;
 #[cfg(test)]
@@ -38,6 +39,7 @@ pub use divided::Divided;
 pub use predict::{Candidate, Fault, Predicted};
 pub use request::{Core, Request};
 pub use seen::Work;
+pub use slivers::Slivers;
 pub use study::{Study, Worst};
 pub use types::{Correction, Paint, Texels, Types, Vertices, Visibility};
 pub use views::{View, Views};

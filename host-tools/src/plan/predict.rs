@@ -121,8 +121,9 @@ impl<'a> Estimator<'a> {
         let cost = self.costs.of(core, types)?;
         let (run, runs) = (RunCost::of(core, types), self.further_runs(types));
         let loads = self.study.loads(self.model(types), types, *rows);
+        let slivers = self.study.sliver_cycles(types, *rows);
         let cycles = |load: &Load| cost.cycles_of(load) + run.cycles_of(runs, load);
-        Some(loads.iter().map(cycles).collect())
+        Some(loads.iter().zip(slivers).map(|(load, slivers)| cycles(load) + slivers).collect())
     }
 
     /// The runs of a material in the tables, beyond one for each.

@@ -22,7 +22,7 @@ use rasterizer::{
     shade::{Face, Outcome, Shader},
 };
 
-use super::{Divided, Visibility, arcs::Arcs, band_rows, views::Placed};
+use super::{Divided, Slivers, Visibility, arcs::Arcs, band_rows, views::Placed};
 use crate::check::{Subpixel as Precision, ViewError};
 
 /// The number of the face that a pixel shows, from 1; 0 for none.
@@ -83,6 +83,17 @@ pub struct Work {
     pub met: Vec<u64>,
     /// What is divided of texture coordinates, in renderers that correct them.
     pub divided: Divided,
+    /// Triangles whose gradients are divided exactly.
+    pub slivers: Slivers,
+}
+
+/// Adds the bands of each height that a triangle's first and last row are in, and all between.
+pub(super) fn add_bands(met: &mut Vec<u64>, heights: &[u32], rows: [i32; 2]) {
+    met.resize(heights.len(), 0);
+    for (met, &height) in met.iter_mut().zip(heights) {
+        let [first, last] = rows.map(|row| row as u32 / height);
+        *met += u64::from(last - first + 1);
+    }
 }
 
 /// A view by all ways.
@@ -137,6 +148,7 @@ impl Eye<'_> {
         let mut work = counts.work.into_inner();
         work.triangles = self.mesh.triangle_count() as u64;
         work.passed = counts.passed.get();
+        work.slivers = self.slivers::<S>(view)?;
         Ok(Seen { work, faces: numbers(faces), shown, wrong })
     }
 
@@ -360,11 +372,8 @@ impl<T: Target<Error = Infallible>> Target for Counted<'_, T> {
         })?;
         work.seen += 1;
         work.missed += u64::from(rows.is_none());
-        work.met.resize(self.counts.bands.len(), 0);
-        for (met, &height) in work.met.iter_mut().zip(&self.counts.bands) {
-            let [first, last] = rows.map_or([0; 2], |rows| rows.map(|row| row as u32 / height));
-            *met += u64::from(last - first + 1);
-        }
+        // One that covers no pixel is met by a band, too.
+        add_bands(&mut work.met, &self.counts.bands, rows.unwrap_or_default());
         Ok(())
     }
 }

@@ -8,6 +8,7 @@ use super::{
     Correction, Load, Paint, PlanError, Request, Shape, Types, Visibility, Work,
     arcs::{Arcs, Cycle},
     band_rows, convex,
+    costs::SliverCost,
     divided::Coordinates,
     order::{FixedOrder, Search},
     seen, source,
@@ -257,12 +258,18 @@ impl Study {
     #[must_use]
     pub fn loads(&self, model: &Model, types: &Types, rows: u32) -> Vec<Load> {
         let [width, height] = self.request.display;
-        let place = band_rows(height).iter().position(|&other| other == rows).unwrap_or(0);
-        let (pixels, bands) = (width * height, height.div_ceil(rows));
+        let (pixels, (bands, place)) = (width * height, bands(height, rows));
         // Tables for light of triangles have fewer vertices than those that were looked at.
         let vertices = model.positions.len() as u64;
         let load = |work: &Work| Load::of(work, types, vertices, [pixels, bands], place);
         self.work.iter().map(load).collect()
+    }
+
+    /// The cycles that slivers take more than other triangles do, for each view.
+    pub(super) fn sliver_cycles(&self, types: &Types, rows: u32) -> Vec<f64> {
+        let (bands, place) = bands(self.request.display[1], rows);
+        let cost = SliverCost::of(self.request.core, types);
+        self.work.iter().map(|work| cost.cycles_of(&work.slivers, bands, place)).collect()
     }
 
     /// The Rust file of a renderer.
@@ -273,6 +280,12 @@ impl Study {
     pub fn source(&self, types: &Types, rows: u32) -> Result<String, PlanError> {
         Ok(source::source(self, &self.model(types)?, types, rows))
     }
+}
+
+/// The number of bands of some rows on a display, and the place of that height in [`band_rows`].
+fn bands(height: u32, rows: u32) -> (u32, usize) {
+    let place = band_rows(height).iter().position(|&other| other == rows);
+    (height.div_ceil(rows), place.unwrap_or(0))
 }
 
 /// The place of a way to decide visibility among all.

@@ -239,6 +239,27 @@ impl Types {
         all
     }
 
+    /// The planes of a triangle that are divided exactly in slivers alone: of depth (that of 32
+    /// bits always is), of levels and colours, and of texture coordinates, which are linear on the
+    /// screen over what is so thin.
+    pub(super) const fn planes(&self) -> u32 {
+        let of_depth = match self.visibility {
+            Visibility::U16 | Visibility::Float16 => 1,
+            _ => 0,
+        };
+        let of_paint = match self.paint {
+            Paint::Materials => 0,
+            Paint::Vertices => 3,
+            Paint::Textures(..) => 2,
+        };
+        let of_light = match self.paint {
+            // Colours of vertices are lit there.
+            Paint::Vertices => 0,
+            _ => self.is_smooth as u32,
+        };
+        of_depth + of_paint + of_light
+    }
+
     /// Which tables they read: how coordinates are corrected makes no difference.
     pub(super) const fn tables(&self) -> Tables {
         let paint = match self.paint {

@@ -39,8 +39,9 @@ Use the file as a module of the firmware (`mod scene;`), give its memory to a st
 
 Flash and RAM are those of the picture alone, in a program compiled for speed (opt-level 3) with LTO.
 Cycles are those of a core whose memory never waits, with a driver that takes a pixel in a few
-cycles. They are within 15 % for most models, but rough for textures, whose set-up depends on their
-coordinates, and too low for slivers on an m0plus (tests/measure/PLANS.md). What is not planned: lines and points, highlights, fog, blending, shadows, several objects.
+cycles. They are within 15 % for most models (tests/measure/PLANS.md), but rough for textures, whose
+set-up depends on their coordinates. What is not planned: lines and points, highlights, fog, blending,
+shadows, several objects.
 
 Exit status: 0 for success, 1 if it is slower than --fps, 2 for bad usage, bad input, or if nothing
 fits.";

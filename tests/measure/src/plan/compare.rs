@@ -37,8 +37,6 @@ pub(super) struct Compared {
     pub(super) measured: Figures,
     /// The one with everything on.
     pub(super) everything: Figures,
-    /// How far measured cycles may lie from predicted ones; `None` if they are not judged.
-    pub(super) most_cycles: Option<f64>,
     /// Pixels that differ from those of that one, in the worst frame, as a part of those that show
     /// the model.
     pub(super) different: f64,
@@ -67,7 +65,7 @@ impl Compared {
         let [flash, ram, cycles] = self.errors().map(f64::abs);
         flash <= MOST_BYTES
             && ram <= MOST_BYTES
-            && self.most_cycles.is_none_or(|most| cycles <= most)
+            && cycles <= MOST_CYCLES
             && self.different <= MOST_DIFFERENT
     }
 
@@ -111,7 +109,6 @@ impl Compared {
             predicted: predicted(&plan, &study),
             measured,
             everything,
-            most_cycles: scene.are_cycles_known.then_some(MOST_CYCLES),
             different: different.fold(0.0, f64::max),
         })
     }

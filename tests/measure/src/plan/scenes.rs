@@ -21,8 +21,6 @@ pub(super) struct Scene {
     /// The OBJ file.
     pub(super) file: PathBuf,
     pub(super) request: Request,
-    /// Whether a plan knows its cycles.
-    pub(super) are_cycles_known: bool,
 }
 
 /// Where a model comes from.
@@ -98,10 +96,7 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
             distance: if name == "corridor" { 1.25 } else { 3.0 },
             ..Request::default()
         };
-        // Gradients of slivers are divided bit by bit on a Cortex-M0+: no body that costs are
-        // measured with has any.
-        let are_cycles_known = name != "needle";
-        scenes.push(Scene { name, file, request, are_cycles_known });
+        scenes.push(Scene { name, file, request });
     }
     Ok(scenes)
 }
