@@ -154,12 +154,11 @@ impl SliverCost {
         Self { planes: types.planes() as f64 * plane, empty_row }
     }
 
-    /// The cycles of a view's slivers in a frame of some bands, whose height has this place in
+    /// The cycles of a view's slivers in a frame of bands whose height has this place in
     /// [`band_rows`](super::band_rows).
-    pub(super) fn cycles_of(&self, slivers: &Slivers, bands: u32, place: usize) -> f64 {
-        let met = slivers.met.get(place).filter(|_| bands > 1).copied();
-        let met = met.unwrap_or(slivers.triangles) as f64;
-        self.planes * met + self.empty_row * slivers.empty_rows as f64
+    pub(super) fn cycles_of(&self, slivers: &Slivers, place: usize) -> f64 {
+        let met = slivers.met.get(place).copied().unwrap_or(0);
+        self.planes * met as f64 + self.empty_row * slivers.empty_rows as f64
     }
 }
 
@@ -221,19 +220,18 @@ mod tests {
 
     #[test]
     fn slivers_take_longer_for_each_plane_and_band() {
-        let slivers = Slivers { triangles: 10, met: vec![10, 14], empty_rows: 5 };
+        let slivers = Slivers { met: vec![10, 14], empty_rows: 5 };
         let gouraud = Types { visibility: Visibility::MeshOrder, ..GOURAUD };
         let flat = Types { is_smooth: false, ..gouraud };
-        let cycles = |core, types: &Types, bands, place| {
-            SliverCost::of(core, types).cycles_of(&slivers, bands, place)
-        };
+        let cycles =
+            |core, types: &Types, place| SliverCost::of(core, types).cycles_of(&slivers, place);
         let (plane, rows) = (3_750.0, 5.0 * 40.0);
-        assert_eq!(cycles(Core::M0plus, &gouraud, 1, 0), 10.0 * plane + rows);
-        assert_eq!(cycles(Core::M0plus, &gouraud, 2, 1), 14.0 * plane + rows);
-        assert_eq!(cycles(Core::M0plus, &GOURAUD, 2, 1), 28.0 * plane + rows);
+        assert_eq!(cycles(Core::M0plus, &gouraud, 0), 10.0 * plane + rows);
+        assert_eq!(cycles(Core::M0plus, &gouraud, 1), 14.0 * plane + rows);
+        assert_eq!(cycles(Core::M0plus, &GOURAUD, 1), 28.0 * plane + rows);
         // Neither depth nor light is interpolated.
-        assert_eq!(cycles(Core::M0plus, &flat, 2, 1), rows);
-        assert_eq!(cycles(Core::M4, &GOURAUD, 2, 1), 5.0 * 25.0);
+        assert_eq!(cycles(Core::M0plus, &flat, 1), rows);
+        assert_eq!(cycles(Core::M4, &GOURAUD, 1), 5.0 * 25.0);
     }
 
     const GOURAUD: Types = Types {

@@ -31,9 +31,8 @@ use crate::check::ViewError;
 /// corners, covered or not.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Slivers {
-    /// Their number.
-    pub triangles: u64,
-    /// For each of [`band_rows`], how often bands meet them.
+    /// For each of [`band_rows`], how often bands meet them: first their number, in one band. Empty
+    /// if there are none.
     pub met: Vec<u64>,
     /// Their rows without a covered pixel.
     pub empty_rows: u64,
@@ -84,8 +83,8 @@ impl Interpolate for Probe<'_> {
         Nothing
     }
 
-    fn whole(_: &Nothing, _: [i32; 2], pixels: usize) -> Option<Piece<[u32; 0]>> {
-        Some(Piece { first: [], step: [], pixels })
+    fn whole(field: &Nothing, at: [i32; 2], pixels: usize) -> Option<Piece<[u32; 0]>> {
+        Some(Self::walk(field, at, pixels).0)
     }
 
     fn walk(_: &Nothing, _: [i32; 2], pixels: usize) -> (Piece<[u32; 0]>, Self::Rest) {
@@ -162,7 +161,6 @@ impl Target for Counter<'_> {
             };
             let first = rows.find(&mut is_met).unwrap_or(0);
             let last = rows.rfind(&mut is_met).unwrap_or(first);
-            self.slivers.triangles += 1;
             self.slivers.empty_rows += (last - first + 1) as u64 - covered;
             add_bands(&mut self.slivers.met, &self.bands, [first, last]);
         }
@@ -227,14 +225,14 @@ mod tests {
         assert_eq!([slivers::<S4>(1.0, 0.5), slivers::<S8>(1.0, 0.5)], [const { NONE }; 2]);
         // Half a pixel high, on some ten rows: in bands of four rows and more.
         for thin in [slivers::<S4>(1.0, 0.005), slivers::<S8>(1.0, 0.005)] {
-            assert_eq!(thin.triangles, 1);
+            assert_eq!(thin.met[0], 1);
             assert!(thin.met.iter().all(|met| (1..=4).contains(met)), "{thin:?}");
             assert!(thin.empty_rows <= 1, "{thin:?}");
         }
         // Numerators of wide triangles take more than 32 bits.
         let wide = [slivers::<S4>(2.0, 0.5), slivers::<S8>(2.0, 0.5)];
-        assert_eq!(wide.map(|slivers| slivers.triangles), [0, 1]);
+        assert_eq!(wide.map(|slivers| slivers.met.first().copied()), [None, Some(1)]);
     }
 
-    const NONE: Slivers = Slivers { triangles: 0, met: Vec::new(), empty_rows: 0 };
+    const NONE: Slivers = Slivers { met: Vec::new(), empty_rows: 0 };
 }

@@ -267,9 +267,9 @@ impl Study {
 
     /// The cycles that slivers take more than other triangles do, for each view.
     pub(super) fn sliver_cycles(&self, types: &Types, rows: u32) -> Vec<f64> {
-        let (bands, place) = bands(self.request.display[1], rows);
+        let (_, place) = bands(self.request.display[1], rows);
         let cost = SliverCost::of(self.request.core, types);
-        self.work.iter().map(|work| cost.cycles_of(&work.slivers, bands, place)).collect()
+        self.work.iter().map(|work| cost.cycles_of(&work.slivers, place)).collect()
     }
 
     /// The Rust file of a renderer.

@@ -19,6 +19,8 @@ use crate::sizes::{Display, Scene};
 
 /// The sphere's vertices.
 const VERTICES: usize = SPHERE.vertex_count();
+/// Those of the sphere that has further shapes.
+const PULSE_VERTICES: usize = PULSE_KEYFRAMES.mesh().vertex_count();
 const PROGRESS: Progress = Progress::lit("0.3");
 const FLAT: Matrix = Matrix::scaling(Scalar::ONE, Scalar::lit("0.5"), Scalar::NEG_ONE);
 
@@ -29,7 +31,7 @@ type Smooth<const VERTICES: usize> = Bands<S4, u16, [u16; 1], NARROW, VERTICES>;
 pub struct GouraudMorph;
 
 impl Scene for GouraudMorph {
-    type Memory = Smooth<{ PULSE_KEYFRAMES.mesh().vertex_count() }>;
+    type Memory = Smooth<PULSE_VERTICES>;
 
     const MEMORY: Self::Memory = Bands::EMPTY;
 
@@ -66,7 +68,7 @@ impl Scene for GouraudShaped {
 pub struct GouraudShapes;
 
 impl Scene for GouraudShapes {
-    type Memory = Smooth<{ PULSE_KEYFRAMES.mesh().vertex_count() }>;
+    type Memory = Smooth<PULSE_VERTICES>;
 
     const MEMORY: Self::Memory = Bands::EMPTY;
 
@@ -87,7 +89,7 @@ impl Scene for GouraudShapes {
 pub struct GouraudAnyShape;
 
 impl Scene for GouraudAnyShape {
-    type Memory = Smooth<{ PULSE_KEYFRAMES.mesh().vertex_count() }>;
+    type Memory = Smooth<PULSE_VERTICES>;
 
     const MEMORY: Self::Memory = Bands::EMPTY;
 
