@@ -156,8 +156,9 @@ fn alphas_of_texels_pass() {
         for (_, filter) in Filter::NAMES {
             for (_, blending) in Blending::NAMES {
                 for fade in [FadeAlong::None, FadeAlong::X] {
-                    let shading = Shading::Textured;
-                    let view = View { shading, filter, blending, fade, opacity: 0.9, ..FRONT };
+                    let (shading, size) = (Shading::Textured, [120, 90]);
+                    let view =
+                        View { shading, size, filter, blending, fade, opacity: 0.9, ..FRONT };
                     let outcome = pass(&model, &view);
                     let Some(found) = outcome.arithmetic.blend else { continue };
                     let has_alphas = blending != Blending::By(Blend::Replace);

@@ -30,7 +30,7 @@ fn highlights_are_within_bounds_from_all_sides() {
         for (i, view) in views().take(9).enumerate() {
             let shading = shadings[i % 3];
             for lights in [ViewLights::OVER_THE_SHOULDER, lights()] {
-                let view = View { shading, lights, ..view };
+                let view = View { size: [160, 120], shading, lights, ..view };
                 let cut = View { distance: 1.5, near: 1.2, far: 1.9, ..view };
                 let inside = View { distance: 0.1, near: 0.02, ..view };
                 let far = View { distance: 40.0, ..view };
