@@ -156,7 +156,7 @@ fn alphas_of_texels_pass() {
         for (_, filter) in Filter::NAMES {
             for (_, blending) in Blending::NAMES {
                 for fade in [FadeAlong::None, FadeAlong::X] {
-                    let (shading, size) = (Shading::Textured, [120, 90]);
+                    let (shading, size) = (Shading::Textured, [160, 120]);
                     let view =
                         View { shading, size, filter, blending, fade, opacity: 0.9, ..FRONT };
                     let outcome = pass(&model, &view);
