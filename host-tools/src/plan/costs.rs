@@ -111,13 +111,13 @@ pub(super) struct RunCost {
 
 impl RunCost {
     /// Estimates from what the code does, not fitted to any measurement: light of vertices prepares
-    /// a ramp of 64 colours, at 30 cycles each on a Cortex-M0+ and half of that on a Cortex-M4;
-    /// other surfaces are a colour or a texture's address.
+    /// a ramp of 64 colours, at 30 cycles each on a Cortex-M0+ and half of that on cores with a
+    /// long multiplication; other surfaces are a colour or a texture's address.
     pub(super) const fn of(core: Core, types: &Types) -> Self {
         let has_ramp = types.is_smooth && matches!(types.paint, Paint::Materials);
         let [begin, surface, ramp] = match core {
             Core::M0plus => [250.0, 50.0, 2_000.0],
-            Core::M4 => [150.0, 30.0, 1_000.0],
+            Core::M4 | Core::Riscv => [150.0, 30.0, 1_000.0],
         };
         Self { begin, surface: if has_ramp { ramp } else { surface } }
     }
@@ -140,16 +140,23 @@ pub(super) struct SliverCost {
 }
 
 impl SliverCost {
-    /// By the figures of stiffness (`tests/measure/STIFFNESS.md`), not fitted to a plan's. A
-    /// triangle on a base of 64 pixels with one plane, that of 16-bit depth, takes 9,158 cycles on
-    /// a Cortex-M0+ if it is a quarter of a pixel high, as a sliver, and 6,003 if it is a pixel
-    /// high, of which the 48 pixels more are some 600. A Cortex-M4 has a long multiplication to
-    /// divide by, and takes no longer for a sliver. In a row without a pixel both edges take their
-    /// step: an estimate from what the code does.
+    /// By the figures of stiffness (`tests/measure/STIFFNESS.md`), not fitted to a plan's: what a
+    /// triangle with one plane, that of 16-bit depth, takes on a base of 64 pixels if it is a
+    /// quarter of a pixel high, as a sliver, and if it is a pixel high, less the 24 pixels that it
+    /// has more then. A Cortex-M0+ has no long multiplication to divide by.
+    ///
+    /// ```text
+    ///   Cortex-M0+   9,158 - (6,003 - 24 x 18)   3,600 cycles
+    ///   Cortex-M4    3,847 - (4,036 - 24 x 14)     150
+    ///   Hazard3      3,525 - (3,514 - 24 x 11)     280
+    /// ```
+    ///
+    /// In a row without a pixel both edges take their step: an estimate from what the code does.
     pub(super) const fn of(core: Core, types: &Types) -> Self {
         let [plane, empty_row] = match core {
-            Core::M0plus => [3_750.0, 40.0],
-            Core::M4 => [0.0, 25.0],
+            Core::M0plus => [3_600.0, 40.0],
+            Core::M4 => [150.0, 25.0],
+            Core::Riscv => [280.0, 25.0],
         };
         Self { planes: types.planes() as f64 * plane, empty_row }
     }
@@ -225,13 +232,13 @@ mod tests {
         let flat = Types { is_smooth: false, ..gouraud };
         let cycles =
             |core, types: &Types, place| SliverCost::of(core, types).cycles_of(&slivers, place);
-        let (plane, rows) = (3_750.0, 5.0 * 40.0);
+        let (plane, rows) = (3_600.0, 5.0 * 40.0);
         assert_eq!(cycles(Core::M0plus, &gouraud, 0), 10.0 * plane + rows);
         assert_eq!(cycles(Core::M0plus, &gouraud, 1), 14.0 * plane + rows);
         assert_eq!(cycles(Core::M0plus, &GOURAUD, 1), 28.0 * plane + rows);
         // Neither depth nor light is interpolated.
         assert_eq!(cycles(Core::M0plus, &flat, 1), rows);
-        assert_eq!(cycles(Core::M4, &GOURAUD, 1), 5.0 * 25.0);
+        assert_eq!(cycles(Core::M4, &GOURAUD, 1), 28.0 * 150.0 + 5.0 * 25.0);
     }
 
     const GOURAUD: Types = Types {

@@ -11,11 +11,14 @@ pub enum Core {
     M0plus,
     /// Cortex-M4, as in an STM32F4 or an nRF52.
     M4,
+    /// RISC-V with multiplication and division (RV32IMC), as in an RP2350.
+    Riscv,
 }
 
 impl Core {
     /// All of them, by their names on the command line.
-    pub const NAMES: [(&'static str, Self); 2] = [("m0plus", Self::M0plus), ("m4", Self::M4)];
+    pub const NAMES: [(&'static str, Self); 3] =
+        [("m0plus", Self::M0plus), ("m4", Self::M4), ("riscv", Self::Riscv)];
 
     /// Its name on the command line.
     #[must_use]
@@ -23,6 +26,7 @@ impl Core {
         match self {
             Self::M0plus => "m0plus",
             Self::M4 => "m4",
+            Self::Riscv => "riscv",
         }
     }
 
@@ -32,15 +36,17 @@ impl Core {
         match self {
             Self::M0plus => "Cortex-M0+",
             Self::M4 => "Cortex-M4",
+            Self::Riscv => "RV32IMC",
         }
     }
 
-    /// A usual clock, in MHz: that of an RP2040, and of an STM32F407.
+    /// A usual clock, in MHz: that of an RP2040, an STM32F407 and an RP2350.
     #[must_use]
     pub const fn usual_clock_mhz(self) -> f64 {
         match self {
             Self::M0plus => 125.0,
             Self::M4 => 168.0,
+            Self::Riscv => 150.0,
         }
     }
 
@@ -50,7 +56,7 @@ impl Core {
     pub const fn subpixel(self) -> Subpixel {
         match self {
             Self::M0plus => Subpixel::S4,
-            Self::M4 => Subpixel::S8,
+            Self::M4 | Self::Riscv => Subpixel::S8,
         }
     }
 }

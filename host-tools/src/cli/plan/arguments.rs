@@ -71,7 +71,7 @@ pub(in crate::cli) struct Arguments {
     /// The microcontroller's core; one with an M3 or M33 takes about as long as an M4
     #[arg(long, default_value = "m0plus", value_parser = choice(&Core::NAMES))]
     core: Core,
-    /// The core's clock, as in 48MHz [default: 125MHz for m0plus, 168MHz for m4]
+    /// The core's clock, as in 48MHz [default: 125MHz for m0plus, 168MHz for m4, 150MHz for riscv]
     #[arg(long, value_name = "HZ", value_parser = hertz)]
     clock: Option<f64>,
     /// The RAM for buffers and stack, as in 20K or 1M

@@ -5,8 +5,8 @@
 //! checksum, leaves that in [`CHECKSUM`] and ends. It formats nothing and unwraps nothing: on any
 //! error it draws nothing, and the checksum stays 0.
 //!
-//! `measure` runs it in QEMU and reads the RAM when the core asks for a reset: the buffers, the
-//! checksum, and how far down the stack has reached.
+//! `measure` runs it in QEMU and reads the RAM when the core asks for a reset, or, on RISC-V, when
+//! `ENDED` is set: the buffers, the checksum, and how far down the stack has reached.
 
 mod display;
 #[cfg(feature = "scenes")]
@@ -19,6 +19,11 @@ pub use display::Display;
 /// The checksum of the display at the end of the scene. 0 before, and if the scene failed.
 #[used]
 pub static CHECKSUM: AtomicU32 = AtomicU32::new(0);
+
+/// Whether the program has ended, where `measure` cannot tell otherwise.
+#[cfg(all(target_arch = "riscv32", target_os = "none"))]
+#[used]
+pub static ENDED: AtomicU32 = AtomicU32::new(0);
 
 /// The buffers of a program, and what it draws with them.
 pub trait Scene {
@@ -57,7 +62,8 @@ macro_rules! program {
     ($scene:ident) => {
         use $crate::sizes::{self, Scene};
 
-        #[cfg(target_os = "none")]
+        // The runtime lends the static.
+        #[cfg(all(target_arch = "arm", target_os = "none"))]
         #[cortex_m_rt::entry]
         fn main() -> ! {
             static mut MEMORY: <$scene as Scene>::Memory = $scene::MEMORY;
@@ -65,12 +71,28 @@ macro_rules! program {
             cortex_m::peripheral::SCB::sys_reset()
         }
 
+        #[cfg(all(target_arch = "riscv32", target_os = "none"))]
+        #[riscv_rt::entry]
+        fn main() -> ! {
+            use core::cell::RefCell;
+            use critical_section::Mutex;
+            static MEMORY: Mutex<RefCell<<$scene as Scene>::Memory>> =
+                Mutex::new(RefCell::new($scene::MEMORY));
+            critical_section::with(|cs| sizes::run::<$scene>(&mut MEMORY.borrow_ref_mut(cs)));
+            sizes::ENDED.store(1, core::sync::atomic::Ordering::Relaxed);
+            // Without semihosting this is a trap, in which the core stays.
+            $crate::console::exit()
+        }
+
         // Differs from the runtime's endless loops, with which the linker might merge it.
         #[cfg(target_os = "none")]
         #[panic_handler]
         fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
             loop {
+                #[cfg(target_arch = "arm")]
                 cortex_m::asm::udf();
+                #[cfg(target_arch = "riscv32")]
+                riscv::asm::wfi();
             }
         }
 

@@ -44,7 +44,7 @@ pub(crate) struct Arguments {
     /// Write the page of the plans
     #[arg(long, conflicts_with_all = ["scenes", "calibrate"])]
     save: bool,
-    /// Measure the costs of all renderers, which takes 20 minutes; those that are known are kept,
+    /// Measure the costs of all renderers, which takes half an hour; those that are known are kept,
     /// so that it goes on where it was stopped
     #[arg(long, conflicts_with = "scenes")]
     calibrate: bool,
@@ -54,8 +54,11 @@ pub(crate) struct Arguments {
 }
 
 /// The cores that plans are for, here and there.
-const CORES: [(Core, plan::Core); 2] =
-    [(Core::M0plus, plan::Core::M0plus), (Core::M4, plan::Core::M4)];
+const CORES: [(Core, plan::Core); 3] = [
+    (Core::M0plus, plan::Core::M0plus),
+    (Core::M4, plan::Core::M4),
+    (Core::Riscv, plan::Core::Riscv),
+];
 
 /// Where programs and bodies lie: it can be removed at any time.
 fn folder() -> Result<PathBuf> {
@@ -121,7 +124,7 @@ fn calibrate(only: Option<&str>) -> Result<Done> {
     let file = costs_file();
     let text = fs::read_to_string(&file).with_context(|| file.display().to_string())?;
     let mut costs: Costs = serde_json::from_str(&text)?;
-    let progress = progress::over(2 * types.len());
+    let progress = progress::over(CORES.len() * types.len());
     let mut text = String::new();
     for (core, named) in CORES {
         if let Some(costs) = costs.cores.get_mut(named.name()).filter(|_| only.is_some()) {

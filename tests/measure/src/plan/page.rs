@@ -138,11 +138,11 @@ of the triangles has the code of the mesh's order; each further run of a materia
 price, which no scene judges. Flash and stack are those of that program. Cycles are a sum of what a
 frame has of pixels, bands, vertices, triangles, rows, covered pixels and divisions of texture
 coordinates; their weights are fitted by least squares of relative errors. No model of this page is
-among those bodies. What a sliver takes more on a Cortex-M0+, which divides its gradients bit by bit,
-is that of [stiffness](STIFFNESS.md); what a row of it without a pixel takes is an estimate.
+among those bodies. What a sliver takes more, whose gradients are divided exactly, is that of
+[stiffness](STIFFNESS.md); what a row of it without a pixel takes is an estimate.
 
-- Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is not
-  planned.
+- Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is
+  that of an RP2350, Hazard3.
 - Mip levels, bilinear filters, levels of 4 bits a texel: the plan makes textures as small as they are
   seen instead.
 - small3dlib: it draws whole frames, without sub-pixels and light, so that no scene here is drawn

@@ -34,7 +34,7 @@ enum Model {
 
 /// All scenes for which there is a model. Files that are made lie in `folder`.
 pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
-    use self::Core::{M0plus, M4};
+    use self::Core::{M0plus, M4, Riscv};
     use Model::{Foreign, Shipped, Stiff};
     let turntable = Views::default;
     let steep = || Views::Turntable { steps: 256, pitch_degrees: 50.0 };
@@ -68,11 +68,14 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         // From anywhere.
         ("torus_knot_orbit", Shipped, M4, [240, 240], 160, orbit()),
         ("spot_orbit", Foreign, M0plus, [240, 240], 200, orbit()),
+        ("wooden_crate_riscv", Shipped, Riscv, [320, 240], 192, turntable()),
+        ("suzanne_riscv", Foreign, Riscv, [240, 240], 96, turntable()),
+        ("needle_riscv", Stiff(needle), Riscv, [128, 160], 24, turntable()),
     ];
     let mut scenes = Vec::new();
     for (name, model, core, display, kilobytes, views) in table {
         let shipped = firmware::root().join("host-tools/models");
-        let model_name = name.trim_end_matches("_orbit");
+        let model_name = name.trim_end_matches("_orbit").trim_end_matches("_riscv");
         let beside = |folder: &Path| folder.join(model_name).with_extension("obj");
         let file = match model {
             Shipped => beside(&shipped),

@@ -13,6 +13,9 @@ use rustc_demangle::demangle;
 /// The tables of models are the statics of this module of the firmware.
 const MODELS: &str = "firmware::models::";
 
+/// Where the stack begins on RISC-V, whose programs have no vector table.
+const STACK_TOP: &str = "_stack_start";
+
 /// A program as it is linked.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Image {
@@ -54,7 +57,8 @@ impl Image {
     ///
     /// # Errors
     ///
-    /// Returns an error if the file is no ELF file, has no symbols, or has no vector table.
+    /// Returns an error if the file is no ELF file, has no symbols, or neither a vector table nor
+    /// the top of a stack.
     pub(crate) fn parse(file: &[u8]) -> Result<Self> {
         let file = File::parse(file).context("the program is no ELF file")?;
         let (mut flash, mut statics) = (0, None::<Range<u32>>);
@@ -66,16 +70,20 @@ impl Image {
             if section.kind() != SectionKind::UninitializedData {
                 flash += size;
             }
-            if is_flagged(&section, SHF_WRITE) && size > 0 {
+            // The runtime of RISC-V has a section for the stack.
+            let is_stack = section.name() == Ok(".stack");
+            if is_flagged(&section, SHF_WRITE) && size > 0 && !is_stack {
                 let before = statics.unwrap_or(start..start);
                 statics = Some(before.start.min(start)..before.end.max(start + size));
             }
         }
-        let vectors = file
-            .section_by_name(".vector_table")
-            .and_then(|section| section.data().ok()?.first_chunk::<4>().copied())
-            .context("the program has no vector table")?;
         let symbols = symbols(&file);
+        let vectors = file.section_by_name(".vector_table");
+        let vectors = vectors.and_then(|section| section.data().ok()?.first_chunk::<4>().copied());
+        let named = symbols.iter().find(|symbol| symbol.name == STACK_TOP);
+        let stack_top = (vectors.map(u32::from_le_bytes))
+            .or_else(|| named.map(|symbol| symbol.address))
+            .context("the program has no vector table and no stack")?;
         let tables = symbols.iter().filter(|symbol| symbol.is_of_a_model());
         let tables: BTreeMap<_, _> = tables.map(|table| (table.address, table.size)).collect();
         ensure!(!symbols.is_empty(), "the program has no symbols: its profile must not strip them");
@@ -83,7 +91,7 @@ impl Image {
             flash,
             models: tables.values().sum(),
             statics: statics.unwrap_or_default(),
-            stack_top: u32::from_le_bytes(vectors),
+            stack_top,
             symbols,
         })
     }
@@ -224,5 +232,17 @@ mod tests {
         let bare = Object::new(BinaryFormat::Elf, Architecture::Arm, Endianness::Little);
         let fault = Image::parse(&bare.write().unwrap()).unwrap_err().to_string();
         assert!(fault.contains("no vector table"), "{fault}");
+    }
+
+    #[test]
+    fn a_stack_with_a_section_is_no_static() {
+        let mut object = Object::new(BinaryFormat::Elf, Architecture::Riscv32, Endianness::Little);
+        let bss = object.section_id(StandardSection::UninitializedData);
+        object.append_section_bss(bss, 64, 4);
+        let stack = object.add_section(vec![], b".stack".to_vec(), SectionKind::UninitializedData);
+        object.append_section_bss(stack, 4096, 4);
+        add(&mut object, stack, "_stack_start", 4096, 0);
+        let image = Image::parse(&object.write().unwrap()).unwrap();
+        assert_eq!((image.static_bytes(), image.stack_top), (64, 4096));
     }
 }

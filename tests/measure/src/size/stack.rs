@@ -3,10 +3,11 @@
 //! The RAM from the end of the statics to the top of the stack is painted before the core starts:
 //! QEMU's loader writes a pattern there, and the runtime clears only the statics. When the program
 //! asks for a reset, QEMU stops instead, and the stack extends down to the lowest word that has
-//! lost its paint. Words that a function reserves and never writes keep theirs, but as soon as it
-//! calls another function, words below them lose it. Nothing interrupts these programs: what
-//! interrupts add (32 bytes on a Cortex-M0+, 104 with an FPU in use, and their handlers) is not
-//! included.
+//! lost its paint. A reset of the RISC-V board takes `unsafe` code: there the program sets a static
+//! at its end, and the machine is stopped then. Words that a function reserves and never writes
+//! keep theirs, but as soon as it calls another function, words below them lose it. Nothing
+//! interrupts these programs: what interrupts add (32 bytes on a Cortex-M0+, 104 with an FPU in
+//! use, and their handlers) is not included.
 
 use std::{
     fs,
@@ -30,8 +31,14 @@ const PAINT: u32 = 0x5AC3_96E1;
 /// The longest that a program may run.
 const PATIENCE: Duration = Duration::from_secs(30);
 
+/// How long to wait before that static is read again.
+const PAUSE: Duration = Duration::from_millis(20);
+
 /// The static in which the firmware leaves the checksum of its pictures.
 const CHECKSUM: &str = "firmware::sizes::CHECKSUM";
+
+/// The static that it sets at its end on RISC-V.
+const ENDED: &str = "firmware::sizes::ENDED";
 
 /// What a run leaves in RAM.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,18 +65,19 @@ pub(crate) fn run(core: Core, program: &Path, image: &Image) -> Result<Run> {
 
     let mut machine = Machine::start(core, program, &paint, bottom)?;
     machine.execute("cont", &json!({}))?;
-    machine.next(|value| value["event"] == "STOP").with_context(|| {
+    let ended = match core {
+        Core::Riscv => machine.wait_for_word(image.address_of(ENDED)?, &memory),
+        _ => machine.next(|value| value["event"] == "STOP").map(drop),
+    };
+    ended.with_context(|| {
         let (program, core) = (program.display(), core.title());
         format!("{program} did not end on {core}: it panics or is in an endless loop")
     })?;
     let start = image.statics.start;
     let size = image.stack_top - start;
-    let arguments = json!({ "val": start, "size": size, "filename": memory });
-    machine.execute("pmemsave", &arguments)?;
+    let ram = machine.memory(start, size, &memory)?;
     machine.execute("quit", &json!({}))?;
     machine.process.wait()?;
-
-    let ram = fs::read(&memory).with_context(|| format!("{} cannot be read", memory.display()))?;
     for file in [paint, memory] {
         fs::remove_file(&file).with_context(|| format!("{} cannot be removed", file.display()))?;
     }
@@ -148,6 +156,23 @@ impl Machine {
             Some(error) => bail!("QEMU refuses {command}: {error}"),
             None => Ok(()),
         }
+    }
+
+    /// Reads memory by way of a file.
+    fn memory(&mut self, start: u32, size: u32, file: &Path) -> Result<Vec<u8>> {
+        let arguments = json!({ "val": start, "size": size, "filename": file });
+        self.execute("pmemsave", &arguments)?;
+        fs::read(file).with_context(|| format!("{} cannot be read", file.display()))
+    }
+
+    /// Waits until a word is no longer 0, and stops the machine.
+    fn wait_for_word(&mut self, address: u32, file: &Path) -> Result<()> {
+        let end = Instant::now() + PATIENCE;
+        while self.memory(address, 4, file)?.iter().all(|&byte| byte == 0) {
+            ensure!(Instant::now() < end, "nothing happens for {} seconds", PATIENCE.as_secs());
+            thread::sleep(PAUSE);
+        }
+        self.execute("stop", &json!({}))
     }
 
     /// Waits for a message of a kind and skips others.
