@@ -5,11 +5,9 @@
 //!
 //! The narrow arithmetic of `.ci/narrow` changes products, quotients, leading zeros, the parts of a
 //! row and how a row is filled. A test stays out there if it compares colours, calls or texts that
-//! come after all of these, of pictures that other tests draw in that arithmetic. So does the
-//! comparison of models: `measure frames` tells that a narrow core draws them as the host does.
+//! come after all of these, of pictures that other tests draw in that arithmetic.
 
 mod any_shader;
-#[cfg(not(rasterizer_narrow))]
 mod arithmetic;
 mod arms;
 mod back_to_front;

@@ -1,6 +1,6 @@
 //! The core's arithmetic against the f64 reference on the same vertices: coverage equal, depth
-//! within one unit of its format, colour within one of 256 steps, for every model, precision, size
-//! and distance.
+//! within one unit of its format, colour within one of 256 steps, for every model, and every
+//! precision at each size and at each distance.
 
 use host_tools::{
     check::{Bounds, Checker, DepthFormat, Projection, Shading, Subpixel, View},
@@ -24,8 +24,7 @@ fn sweep(path: &std::path::Path) {
     ];
     let checker = Checker::new(&model);
     let mut covered = 0;
-    // Narrow ones reach as far to the sides as large ones, with fewer pixels to compare.
-    let sizes = [[64, 64], [320, 240], [640, 60], [60, 640], [1, 1], [2047, 3]];
+    let sizes = [[64, 64], [320, 240], [640, 480], [1, 1], [2047, 3]];
     for (i, size) in sizes.into_iter().enumerate() {
         for (k, distance) in DISTANCES.into_iter().enumerate() {
             // Every other one, so that each meets all sizes and all distances.

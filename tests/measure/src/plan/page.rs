@@ -139,7 +139,8 @@ price, which no scene judges. Flash and stack are those of that program. Cycles 
 frame has of pixels, bands, vertices, triangles, rows, covered pixels and divisions of texture
 coordinates; their weights are fitted by least squares of relative errors. No model of this page is
 among those bodies. What a sliver takes more, whose gradients are divided exactly, is that of
-[stiffness](STIFFNESS.md); what a row of it without a pixel takes is an estimate.
+[stiffness](STIFFNESS.md), on RISC-V of `measure stiffness riscv`; what a row of it without a pixel
+takes is an estimate.
 
 - Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is
   that of an RP2350, Hazard3.
