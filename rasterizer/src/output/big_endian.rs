@@ -10,7 +10,8 @@ use fixed::types::U16F16;
 use super::{StoredColor, WordFill};
 use crate::{
     color::{Alpha, Channels, Composite, Dither, FullColor, Mean},
-    texture::Mix,
+    numbers::IS_NARROW,
+    texture::{Mix, Spread},
 };
 
 /// RGB565 with its more significant byte first, the order in which SPI displays take it: a DMA
@@ -66,6 +67,10 @@ impl StoredColor for Rgb565Be {
     type Fill = WordFill<Self>;
 }
 
+/// How the channels of a stored word are spread: its bytes stay in their order.
+const SPREAD: Spread =
+    if cfg!(target_endian = "big") { Spread::OF_565 } else { Spread::OF_SWAPPED_565 };
+
 /// As [`Rgb565`].
 impl Mix for Rgb565Be {
     const FRACTION_BITS: u32 = Rgb565::FRACTION_BITS;
@@ -73,12 +78,17 @@ impl Mix for Rgb565Be {
 
     #[inline(always)]
     fn mixed(colors: [Self; 4], fractions: [u32; 2]) -> Self {
-        Rgb565::mixed(colors.map(Rgb565::from), fractions).into()
+        // Cores that turn an operand within its instruction save the bytes' change of place.
+        if IS_NARROW {
+            Rgb565::mixed(colors.map(Rgb565::from), fractions).into()
+        } else {
+            Self(SPREAD.mixed(colors.map(|color| color.0), fractions))
+        }
     }
 
     #[inline(always)]
     fn lit(self, level: u32) -> Self {
-        Rgb565::from(self).lit(level).into()
+        Self(SPREAD.lit(self.0, level))
     }
 }
 

@@ -110,9 +110,11 @@ macro_rules! by_luma {
 by_luma!(Gray2, Gray4, Gray8);
 
 /// Channels of 5, 6 or 5 bits of a word of 16, spread over 32 so that each has room to be
-/// multiplied by 32.
+/// multiplied by 32: the word twice, rotated to the right, without the bits between.
 #[derive(Clone, Copy)]
-struct Spread {
+pub(crate) struct Spread {
+    /// By how many bits it is rotated.
+    rotation: u32,
     /// The channels, spread.
     mask: u32,
     /// Half of 32 in each channel.
@@ -121,21 +123,26 @@ struct Spread {
 
 impl Spread {
     /// Five, six and five bits.
-    const OF_565: Self = Self { mask: 0x07E0_F81F, half: 0x0200_8010 };
+    pub(crate) const OF_565: Self = Self { rotation: 0, mask: 0x07E0_F81F, half: 0x0200_8010 };
+
+    /// The same with the bytes swapped. The lower three of the six bits are the word's highest, the
+    /// upper three its lowest: they are side by side where the two copies of the word meet.
+    pub(crate) const OF_SWAPPED_565: Self =
+        Self { rotation: 3, mask: 0x03E0_FC1F, half: 0x0200_4010 };
 
     /// Three times five bits.
-    const OF_555: Self = Self { mask: 0x03E0_7C1F, half: 0x0200_4010 };
+    const OF_555: Self = Self { rotation: 0, mask: 0x03E0_7C1F, half: 0x0200_4010 };
 
     #[inline(always)]
     const fn spread(self, bits: u16) -> u32 {
-        (bits as u32 | (bits as u32) << 16) & self.mask
+        (bits as u32 | (bits as u32) << 16).rotate_right(self.rotation) & self.mask
     }
 
     /// The channels of sums with five digits behind the point, which are cut off.
     #[inline(always)]
     const fn joined(self, sums: u32) -> u16 {
         let channels = (sums >> 5) & self.mask;
-        (channels | channels >> 16) as u16
+        (channels << self.rotation | channels >> (16 - self.rotation)) as u16
     }
 
     /// With r and d for fractions to the right and downwards of 4 binary digits and w = r d / 8,
@@ -149,7 +156,7 @@ impl Spread {
     /// twice the lesser fraction, and at least twice their sum less 32. The sum is computed with
     /// differences of colours, modulo 2<sup>32</sup>; what they borrow between channels cancels.
     #[inline(always)]
-    const fn mixed(self, [a, b, c, d]: [u16; 4], [right, down]: [u32; 2]) -> u16 {
+    pub(crate) const fn mixed(self, [a, b, c, d]: [u16; 4], [right, down]: [u32; 2]) -> u16 {
         let both = (right * down + 4) >> 3;
         let (a, b, c, d) = (self.spread(a), self.spread(b), self.spread(c), self.spread(d));
         let across = b.wrapping_sub(a);
@@ -161,7 +168,7 @@ impl Spread {
     }
 
     #[inline(always)]
-    const fn lit(self, bits: u16, level: u32) -> u16 {
+    pub(crate) const fn lit(self, bits: u16, level: u32) -> u16 {
         self.joined(self.spread(bits) * level + self.half)
     }
 }

@@ -79,6 +79,7 @@ pub use layer::Layer;
 pub use masked::{Keyed, Masked};
 pub use mipmaps::{Levels, Mipmapped, Mipmaps};
 pub use mix::Mix;
+pub(crate) use mix::Spread;
 pub use offset::Offset;
 pub use shaded::{SHADES, Shaded};
 pub use slices::{ColorSlice, IndexedSlice, MaskedSlice, ShadedSlice};
