@@ -34,6 +34,15 @@ pub(crate) const fn keep_apart() {
     }
 }
 
+/// Has what is written before it stored before what is written after it.
+///
+/// Without it the optimiser stores a pixel's depth after its four texels are mixed, and takes it to
+/// the stack and back: an instruction a pixel on the Cortex-M4 (`cube-texture-bilinear`).
+#[inline(always)]
+pub(crate) const fn in_order() {
+    unknown(());
+}
+
 /// The same value, about which the optimiser knows nothing.
 ///
 /// A value that may be different is not propagated: a loop that stores a zero is not turned into a

@@ -4,7 +4,7 @@ use super::{
     ColorOf, Footprint, Grid, MipLevel, Mipmapped, Mix, Texel as _, TexelMap, TexelOf,
     TextureVarying, WithInverseW, footprint::Slope,
 };
-use crate::{attribute::InverseW, color::Alpha};
+use crate::{attribute::InverseW, color::Alpha, numbers::codegen};
 
 /// How the colour of a pixel is made of texels: [`Nearest`], [`Bilinear`], and with mip levels
 /// [`NearestMip`], [`BilinearMip`] and [`Trilinear`].
@@ -79,6 +79,7 @@ where
         _: InverseW,
         fetch: impl Fn(usize) -> TexelOf<T>,
     ) -> TexelOf<T> {
+        codegen::in_order();
         mixed::<T>(map.bilinear(place, ColorOf::<T>::FRACTION_BITS), fetch)
     }
 }

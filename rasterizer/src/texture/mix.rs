@@ -110,11 +110,11 @@ macro_rules! by_luma {
 by_luma!(Gray2, Gray4, Gray8);
 
 /// Channels of 5, 6 or 5 bits of a word of 16, spread over 32 so that each has room to be
-/// multiplied by 32: the word twice, rotated to the right, without the bits between.
+/// multiplied by 32: the word twice, shifted to the right, without the bits between.
 #[derive(Clone, Copy)]
 pub(crate) struct Spread {
-    /// By how many bits it is rotated.
-    rotation: u32,
+    /// By how many bits it is shifted.
+    shift: u32,
     /// The channels, spread.
     mask: u32,
     /// Half of 32 in each channel.
@@ -123,26 +123,27 @@ pub(crate) struct Spread {
 
 impl Spread {
     /// Five, six and five bits.
-    pub(crate) const OF_565: Self = Self { rotation: 0, mask: 0x07E0_F81F, half: 0x0200_8010 };
+    pub(crate) const OF_565: Self = Self { shift: 0, mask: 0x07E0_F81F, half: 0x0200_8010 };
 
     /// The same with the bytes swapped. The lower three of the six bits are the word's highest, the
     /// upper three its lowest: they are side by side where the two copies of the word meet.
-    pub(crate) const OF_SWAPPED_565: Self =
-        Self { rotation: 3, mask: 0x03E0_FC1F, half: 0x0200_4010 };
+    pub(crate) const OF_SWAPPED_565: Self = Self { shift: 3, mask: 0x03E0_FC1F, half: 0x0200_4010 };
 
     /// Three times five bits.
-    const OF_555: Self = Self { rotation: 0, mask: 0x03E0_7C1F, half: 0x0200_4010 };
+    const OF_555: Self = Self { shift: 0, mask: 0x03E0_7C1F, half: 0x0200_4010 };
 
+    // codegen: by a product, which compilers compute by one shifted addition; of two shifts they
+    // mask each.
     #[inline(always)]
     const fn spread(self, bits: u16) -> u32 {
-        (bits as u32 | (bits as u32) << 16).rotate_right(self.rotation) & self.mask
+        (bits as u32 * 0x1_0001) >> self.shift & self.mask
     }
 
     /// The channels of sums with five digits behind the point, which are cut off.
     #[inline(always)]
     const fn joined(self, sums: u32) -> u16 {
         let channels = (sums >> 5) & self.mask;
-        (channels << self.rotation | channels >> (16 - self.rotation)) as u16
+        (channels << self.shift | channels >> (16 - self.shift)) as u16
     }
 
     /// With r and d for fractions to the right and downwards of 4 binary digits and w = r d / 8,
