@@ -28,7 +28,9 @@ pub(super) fn choose(texels: &[Rgb], count: usize, round: impl Fn(Rgb) -> Rgb) -
             colors.iter().map(|&c| round(c)).map(|c| (c.map(f64::to_bits), c)).collect();
         stored.into_values().collect::<Vec<Rgb>>()
     };
-    let all = rounded(&histogram.colors.iter().map(|&(color, _)| color).collect::<Vec<_>>());
+    // Of the texels themselves: those of a resampled picture lie between the steps that the
+    // histogram counts in, and may be stored as another colour.
+    let all = rounded(texels);
     if all.len() <= count {
         return all;
     }
@@ -200,6 +202,17 @@ mod tests {
         // Equal when stored.
         assert_eq!(choose(&texels, 1, |_| [5.0; 3]), [[5.0; 3]]);
         assert_eq!(choose(&[], 4, |color| color), [[0.0; 3]; 0]);
+    }
+
+    #[test]
+    fn colours_between_steps_of_8_bits_are_stored_as_themselves() {
+        // Both are 4 in whole steps, and the first is nearer to 8.2 than to 0, of steps of 5 bits.
+        let step = 255.0 / 31.0;
+        let round = |color: Rgb| color.map(|c| (c / step).round() * step);
+        let texels = [[4.3; 3], [3.9; 3]];
+        let palette = choose(&texels, 256, round);
+        assert_eq!(palette, [[0.0; 3], [step; 3]]);
+        assert_eq!(texels.map(|texel| palette[nearest(&palette, texel)]), texels.map(round));
     }
 
     #[test]
