@@ -1,7 +1,7 @@
 //! The decisions that lead to a renderer, each with its reason.
 
 use super::{
-    Correction, Paint, Shape, Study, Types, Vertices, Visibility, band_rows,
+    Correction, Paint, Shape, Study, Texels, Types, Vertices, Visibility, band_rows,
     order::Search,
     predict::{Candidate, Estimator},
 };
@@ -52,7 +52,7 @@ impl Study {
             self.light(estimator, chosen),
         ];
         decisions.extend(self.perspective(estimator, chosen));
-        decisions.extend(self.textures());
+        decisions.extend(self.textures(estimator, chosen));
         decisions.push(self.bands(estimator, chosen));
         decisions.push(self.vertices(estimator, chosen));
         decisions
@@ -207,25 +207,47 @@ impl Study {
         })
     }
 
-    fn textures(&self) -> Option<Decision> {
+    fn textures(&self, estimator: &Estimator<'_>, chosen: Candidate) -> Option<Decision> {
         let sampling = self.sampling.as_ref()?;
+        let Paint::Textures(correction, format) = chosen.types.paint else { return None };
         let [[width, height], smaller] = sampling.sizes;
         let is_smaller = smaller != [width, height];
         let texels = sampling.seen.median_texels();
+        let nearness = |format: Texels| match sampling.psnr_db_of(format) {
+            db if db.is_finite() => format!("{db:.1} dB from these colours"),
+            _ => "the same colours".to_owned(),
+        };
+        let palettes = [Texels::Indexed8, Texels::Indexed4]
+            .map(|format| format!("{}: {}", format.title(), nearness(format)));
+        let wanted = match self.request.palette_db {
+            db if db.is_finite() => format!("{db} dB are wanted"),
+            _ => "as is wanted".into(),
+        };
+        // The next one that takes less flash, or else colours of 16 bits.
+        let is_right = |&other: &Texels| {
+            other > format && sampling.psnr_db_of(other) >= self.request.palette_db
+        };
+        let first = (format != Texels::Direct).then_some(Texels::Direct);
+        let other = Texels::ALL.into_iter().find(is_right).or(first);
         Some(Decision {
             about: "textures",
-            choice: format!("{} x {} texels", smaller[0], smaller[1]),
+            choice: format!("{} x {} texels, {}", smaller[0], smaller[1], format.title()),
             reason: format!(
-                "in the middle a step of a pixel covers {texels:.2} texels of {width} x {height}: {}",
+                "in the middle a step of a pixel covers {texels:.2} texels of {width} x {height}: \
+                 {}; {}",
                 if is_smaller {
                     "a tenth of the pixels at most have fewer than one of the smaller texture"
                 } else {
                     "at half the size more than a tenth of the pixels would have fewer than one"
-                }
+                },
+                palettes.join(", ")
             ),
             basis: self.request.views.basis(),
-            margin: format!("{} colours", thousands(sampling.colors)),
-            other: None,
+            margin: format!("{}, {wanted}", nearness(format)),
+            other: other.and_then(|format| {
+                let types = Types { paint: Paint::Textures(correction, format), ..chosen.types };
+                estimator.other(format.title(), chosen, types, chosen.rows)
+            }),
         })
     }
 

@@ -21,6 +21,7 @@ mod order;
 mod order_tests;
 mod predict;
 mod request;
+mod sampled;
 mod seen;
 mod slivers;
 mod source;

@@ -94,6 +94,9 @@ pub struct Request {
     pub wrong_part: f64,
     /// How far a texture coordinate may be off, in texels.
     pub texels: f64,
+    /// How near a palette's colours must be to those without one: the peak signal-to-noise ratio,
+    /// in dB. Infinite if they must be the same.
+    pub palette_db: f64,
 }
 
 impl Default for Request {
@@ -115,6 +118,7 @@ impl Default for Request {
             background: [0; 3],
             wrong_part: 0.001,
             texels: 0.5,
+            palette_db: f64::INFINITY,
         }
     }
 }

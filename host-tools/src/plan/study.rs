@@ -11,6 +11,7 @@ use super::{
     costs::SliverCost,
     divided::Coordinates,
     order::{FixedOrder, Search},
+    sampled::{Sampled, with_texels},
     seen, source,
     texels::{Sampling, Texels},
     types,
@@ -18,7 +19,7 @@ use super::{
 };
 use crate::{
     check::{ViewError, angle, checked},
-    model::{ColorFormat, Contents, Model, Options, TexelFormat, TextureOptions},
+    model::{Contents, Model, Options, TexelFormat},
 };
 
 /// How far a corner's normal may lie from that of its triangle without anyone seeing the difference
@@ -82,19 +83,6 @@ impl Worst {
     pub(super) fn or_worse(self, other: Self) -> Self {
         if other.part > self.part { other } else { self }
     }
-}
-
-/// How textures are sampled.
-#[derive(Clone, Debug)]
-pub(super) struct Sampled {
-    /// What all views show of them.
-    pub(super) seen: Sampling,
-    /// The sides of the textures, before and after they are made as small as they are seen.
-    pub(super) sizes: [[usize; 2]; 2],
-    /// The largest error of linear interpolation in these texels.
-    pub(super) affine_error: f64,
-    /// The most colours of a texture.
-    pub(super) colors: usize,
 }
 
 impl Study {
@@ -227,9 +215,8 @@ impl Study {
         for correction in [Correction::Affine, Correction::Adaptive] {
             let is_right =
                 correction == Correction::Adaptive || sampling.affine_error <= self.request.texels;
-            for texels in [types::Texels::Direct, types::Texels::Indexed8] {
-                let is_exact = texels == types::Texels::Direct || sampling.colors <= 256;
-                if is_right && is_exact {
+            for (texels, psnr_db) in types::Texels::ALL.into_iter().zip(sampling.psnr_db) {
+                if is_right && psnr_db >= self.request.palette_db {
                     paints.push(Paint::Textures(correction, texels));
                 }
             }
@@ -314,8 +301,8 @@ fn converted(
     size: Option<[usize; 2]>,
 ) -> Result<Model, PlanError> {
     let format = match paint {
-        Paint::Textures(_, types::Texels::Indexed8) => TexelFormat::Indexed8,
-        _ => TexelFormat::Direct,
+        Paint::Textures(_, texels) => texels.format(),
+        Paint::Materials | Paint::Vertices => TexelFormat::Direct,
     };
     let mut options = with_texels(options, size, format);
     options.contents = Contents {
@@ -334,18 +321,6 @@ fn converted(
     model.lines.clear();
     model.points.clear();
     Ok(model)
-}
-
-/// The options with textures of a size and a format.
-fn with_texels(options: &Options, size: Option<[usize; 2]>, format: TexelFormat) -> Options {
-    let textures = options.textures.as_ref().map(|textures| TextureOptions {
-        size: size.or(textures.size),
-        format,
-        color: ColorFormat::Rgb565,
-        mipmaps: false,
-        ..*textures
-    });
-    Options { textures, ..options.clone() }
 }
 
 /// What all views show.
@@ -452,41 +427,4 @@ fn normal_degrees(model: &Model) -> f64 {
         }
     }
     least_cosine.clamp(-1.0, 1.0).acos().to_degrees()
-}
-
-impl Sampled {
-    fn new(
-        model: &Model,
-        path: &Path,
-        options: &Options,
-        seen: Sampling,
-    ) -> Result<Self, PlanError> {
-        let textures = model.textures.as_ref();
-        let size = textures.map_or([1; 2], |textures| textures.size);
-        let chosen = options.textures.as_ref().and_then(|textures| textures.size);
-        // A size that was asked for stays.
-        let halvings = if chosen.is_some() { 0 } else { seen.halvings() };
-        let smaller = size.map(|side| (side >> halvings).max(1));
-        let colors = if halvings > 0 {
-            let options = with_texels(options, Some(smaller), TexelFormat::Direct);
-            most_colors(&Model::load(path, &options)?)
-        } else {
-            most_colors(model)
-        };
-        let scale = smaller[0] as f64 / size[0] as f64;
-        let affine_error = seen.affine_error * scale;
-        Ok(Self { seen, sizes: [size, smaller], affine_error, colors })
-    }
-}
-
-/// The most different colours that a texture has.
-fn most_colors(model: &Model) -> usize {
-    let colors = |texels: &[u32]| {
-        let mut colors = texels.to_vec();
-        colors.sort_unstable();
-        colors.dedup();
-        colors.len()
-    };
-    let textures = model.textures.iter().flat_map(|textures| &textures.textures);
-    textures.map(|texture| colors(&texture.texels)).max().unwrap_or(0)
 }

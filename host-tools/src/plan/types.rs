@@ -12,6 +12,8 @@ use rasterizer::{
 };
 use serde::{Deserialize, Serialize};
 
+use crate::model::TexelFormat;
+
 /// What decides which surface a pixel shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -95,6 +97,32 @@ pub enum Texels {
     Direct,
     /// By a palette of 256 colours.
     Indexed8,
+    /// By a palette of 16 colours.
+    Indexed4,
+}
+
+impl Texels {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Direct, Self::Indexed8, Self::Indexed4];
+
+    /// The converter's name of the format.
+    pub(super) const fn format(self) -> TexelFormat {
+        match self {
+            Self::Direct => TexelFormat::Direct,
+            Self::Indexed8 => TexelFormat::Indexed8,
+            Self::Indexed4 => TexelFormat::Indexed4,
+        }
+    }
+
+    /// Its name in a text.
+    #[must_use]
+    pub const fn title(self) -> &'static str {
+        match self {
+            Self::Direct => "colours of 16 bits",
+            Self::Indexed8 => "a palette of 256 colours",
+            Self::Indexed4 => "a palette of 16 colours",
+        }
+    }
 }
 
 /// What a pixel's colour comes from.
@@ -231,7 +259,7 @@ impl Types {
             vec![(false, Paint::Materials), (true, Paint::Materials), (true, Paint::Vertices)];
         for is_smooth in [false, true] {
             for correction in [Correction::Affine, Correction::Adaptive] {
-                for texels in [Texels::Direct, Texels::Indexed8] {
+                for texels in Texels::ALL {
                     all.push((is_smooth, Paint::Textures(correction, texels)));
                 }
             }
@@ -341,6 +369,7 @@ impl fmt::Display for Types {
                 let texels = match texels {
                     Texels::Direct => "direct",
                     Texels::Indexed8 => "indexed8",
+                    Texels::Indexed4 => "indexed4",
                 };
                 write!(f, "textured-{shading}-{correction}-{texels}")?;
             }

@@ -19,6 +19,7 @@ Examples:
   host-tools plan model.obj
   host-tools plan model.obj --display 240x240 --core m4 --ram 128K --fps 30 --bus 40MHz
   host-tools plan model.obj --ram 32K --flash 48K --explain
+  host-tools plan model.obj --flash 48K --palette-db 35
   host-tools plan model.obj --views orbit              Turned in any way, by random views
   host-tools plan model.obj --views views.txt          From these places alone
   host-tools plan model.obj -o firmware/src/scene.rs
@@ -40,8 +41,14 @@ Use the file as a module of the firmware (`mod scene;`), give its memory to a st
 Flash and RAM are those of the picture alone, in a program compiled for speed (opt-level 3) with LTO.
 Cycles are those of a core whose memory never waits, with a driver that takes a pixel in a few
 cycles. They are within 15 % for most models (tests/measure/PLANS.md), but rough for textures, whose
-set-up depends on their coordinates. What is not planned: lines and points, highlights, fog, blending,
-shadows, several objects.
+set-up depends on their coordinates.
+
+Textures become as small as they are seen. Colours of 16 bits are the fastest; a palette of 256 or 16
+colours is taken where they leave too little flash, if it has the same colours or is as near to them
+as --palette-db says.
+
+Not planned: lines and points, highlights, fog, blending, shadows, filters of textures, several
+objects.
 
 Exit status: 0 for success, 1 if it is slower than --fps, 2 for bad usage, bad input, or if nothing
 fits.";
@@ -130,6 +137,10 @@ pub(in crate::cli) struct Arguments {
     /// How far a texture may be shifted by perspective that is not corrected
     #[arg(long, value_name = "TEXELS", default_value_t = 0.5, value_parser = within(0.0, 1_024.0))]
     texels: f64,
+    /// How near a palette's colours must be to those of 16 bits: their peak signal-to-noise ratio,
+    /// as in 35 [default: the same colours]
+    #[arg(long, value_name = "DB", value_parser = within(0.0, 200.0))]
+    palette_db: Option<f64>,
     #[command(flatten)]
     smoothing: Smoothing,
     /// Leave the pictures of materials out: they are drawn in their colours (`Kd`)
@@ -163,6 +174,7 @@ impl Arguments {
             background: [0; 3],
             wrong_part: self.wrong / 100.0,
             texels: self.texels,
+            palette_db: self.palette_db.unwrap_or(f64::INFINITY),
         })
     }
 

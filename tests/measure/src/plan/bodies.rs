@@ -169,14 +169,18 @@ fn obj(shape: &Shape, kind: &str) -> String {
 
 /// Bricks of 200 colours.
 fn texture(path: &Path) -> Result<()> {
-    const SIDE: u32 = 128;
-    let pixel = |place: u32| {
-        let [x, y] = [place % SIDE, place / SIDE];
+    picture(path, |x, y| {
         let is_joint = y % 16 < 2 || (x + y / 16 * 8) % 32 < 2;
         let grain = ((x * 7 + y * 13) % 40) as u8;
         if is_joint { [180, 170 + grain, 160] } else { [120 + 2 * grain, 50 + grain, 40] }
-    };
-    let pixels: Vec<u8> = (0..SIDE * SIDE).flat_map(pixel).collect();
+    })
+}
+
+/// Writes a picture of 128 x 128 pixels.
+pub(super) fn picture(path: &Path, pixel: impl Fn(u32, u32) -> [u8; 3]) -> Result<()> {
+    const SIDE: u32 = 128;
+    let pixels: Vec<u8> =
+        (0..SIDE * SIDE).flat_map(|place| pixel(place % SIDE, place / SIDE)).collect();
     let file = File::create(path).with_context(|| path.display().to_string())?;
     let mut encoder = png::Encoder::new(file, SIDE, SIDE);
     encoder.set_color(png::ColorType::Rgb);

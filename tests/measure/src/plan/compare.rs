@@ -5,7 +5,7 @@ use std::{fs, path::Path, process::Command};
 use anyhow::{Context as _, Result, ensure};
 use host_tools::{
     model::{Options, write_atomically},
-    plan::{Candidate, Costs, Plan, Study, Vertices},
+    plan::{Candidate, Costs, Paint, Plan, Study, Vertices},
 };
 use serde::{Deserialize, Serialize};
 
@@ -137,7 +137,13 @@ fn renderer(plan: &Plan) -> String {
     let light = choice("light").map(|light| format!("light {light}"));
     let is_stored = plan.chosen.types.vertices == Vertices::Stored;
     let vertices = choice("vertices").filter(|_| !is_stored);
-    let parts = [choice("visibility"), light, choice("perspective"), choice("memory"), vertices];
+    // Of textures the palette.
+    let texels = match plan.chosen.types.paint {
+        Paint::Textures(_, texels) => Some(texels.title().to_owned()),
+        Paint::Materials | Paint::Vertices => None,
+    };
+    let parts =
+        [choice("visibility"), light, choice("perspective"), texels, choice("memory"), vertices];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 

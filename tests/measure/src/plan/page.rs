@@ -144,12 +144,12 @@ takes is an estimate.
 
 - Cores without a table of their own: take that of the Cortex-M4 for an M3, M33 or M7. RISC-V is
   that of an RP2350, Hazard3.
-- Mip levels, bilinear filters, levels of 4 bits a texel: the plan makes textures as small as they are
-  seen instead.
+- Mip levels and bilinear filters: the plan makes textures as small as they are seen instead.
 - small3dlib: it draws whole frames, without sub-pixels and light, so that no scene here is drawn
   alike. [Results](RESULTS.md) has its instructions beside those of bench scenes in the same view.
 - Convex parts by separating planes, and orders of the triangles for a part of the views each: one
-  order in flash must be right in all of them.
+  order in flash must be right in all of them. Of four balls side by side on a turntable one is; of
+  four cubes none.
 - Cycles of few pixels: an order that breaks them could still show fewer wrong pixels than allowed.
 - A proof for all views of an orbit (cells of directions): random views bound the part that may fail.
   An order that is made from random views is judged by as many others.

@@ -12,6 +12,7 @@ use std::{
 use anyhow::{Context as _, Result};
 use host_tools::plan::{Core, Request, View, Views};
 
+use super::bodies;
 use crate::firmware;
 
 /// A model, and what it is planned for.
@@ -30,12 +31,14 @@ enum Model {
     Foreign,
     /// Made for this: hard for a rasterizer, not for its user.
     Stiff(fn() -> String),
+    /// Made for this, with a picture of 16 colours.
+    Painted(fn() -> String),
 }
 
 /// All scenes for which there is a model. Files that are made lie in `folder`.
 pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
     use self::Core::{M0plus, M4, Riscv};
-    use Model::{Foreign, Shipped, Stiff};
+    use Model::{Foreign, Painted, Shipped, Stiff};
     let turntable = Views::default;
     let steep = || Views::Turntable { steps: 256, pitch_degrees: 50.0 };
     let orbit = || Views::Orbit { count: 300 };
@@ -68,6 +71,8 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         // From anywhere.
         ("torus_knot_orbit", Shipped, M4, [240, 240], 160, orbit()),
         ("spot_orbit", Foreign, M0plus, [240, 240], 200, orbit()),
+        // Little flash: only the smallest palette fits.
+        ("die", Painted(die), M0plus, [320, 240], 64, turntable()),
         ("wooden_crate_riscv", Shipped, Riscv, [320, 240], 192, turntable()),
         ("suzanne_riscv", Foreign, Riscv, [240, 240], 96, turntable()),
         ("needle_riscv", Stiff(needle), Riscv, [128, 160], 24, turntable()),
@@ -88,6 +93,15 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
                 fs::write(&file, obj()).with_context(|| file.display().to_string())?;
                 file
             }
+            Painted(obj) => {
+                let [file, library, picture] =
+                    ["obj", "mtl", "png"].map(|ending| beside(folder).with_extension(ending));
+                let library_text = format!("newmtl a\nmap_Kd {model_name}.png\n");
+                fs::write(&library, library_text).with_context(|| library.display().to_string())?;
+                bodies::picture(&picture, pips)?;
+                fs::write(&file, obj()).with_context(|| file.display().to_string())?;
+                file
+            }
         };
         let request = Request {
             display,
@@ -95,6 +109,7 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
             ram_bytes: kilobytes << 10,
             clock_hz: core.usual_clock_mhz() * 1e6,
             views,
+            flash_bytes: (name == "die").then_some(30 << 10),
             // The corridor is long: its nearest end fills the view.
             distance: if name == "corridor" { 1.25 } else { 3.0 },
             ..Request::default()
@@ -111,6 +126,40 @@ fn cube() -> String {
     });
     corners.collect::<String>()
         + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+}
+
+/// A cube with another part of the picture on each face.
+fn die() -> String {
+    let mut text = String::from("mtllib die.mtl\nusemtl a\n");
+    for corner in 0..8 {
+        let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -1 } else { 1 });
+        let _ = writeln!(text, "v {x} {y} {z}");
+    }
+    for [column, row] in (0..6).map(|face| [face % 3, face / 3].map(f64::from)) {
+        for [right, up] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
+            let _ = writeln!(text, "vt {:.6} {:.6}", (column + right) / 3.0, (row + up) / 2.0);
+        }
+    }
+    for (face, corners) in
+        [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
+            .into_iter()
+            .enumerate()
+    {
+        text.push('f');
+        for (place, corner) in corners.into_iter().enumerate() {
+            let _ = write!(text, " {corner}/{}", 4 * face + place + 1);
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Pips on sixteen greys.
+fn pips(x: u32, y: u32) -> [u8; 3] {
+    let from_middle = |c: u32| (c % 16).abs_diff(8);
+    let is_pip = from_middle(x).pow(2) + from_middle(y).pow(2) < 20;
+    let grey = (x / 16 + y / 16) as u8 * 12;
+    if is_pip { [200, 20, 30] } else { [70 + grey; 3] }
 }
 
 /// A box between two corners.

@@ -1,0 +1,173 @@
+//! How the textures of a model are stored and sampled.
+
+use std::path::Path;
+
+use super::{PlanError, Texels, texels::Sampling};
+use crate::model::{ColorFormat, Model, Options, TexelFormat, Texture, TextureOptions};
+
+/// How textures are sampled.
+#[derive(Clone, Debug)]
+pub(super) struct Sampled {
+    /// What all views show of them.
+    pub(super) seen: Sampling,
+    /// The sides of the textures, before and after they are made as small as they are seen.
+    pub(super) sizes: [[usize; 2]; 2],
+    /// The largest error of linear interpolation in these texels.
+    pub(super) affine_error: f64,
+    /// How near the colours of each of [`Texels::ALL`] are to those of the first: the peak
+    /// signal-to-noise ratio of the worst texture, in dB. Infinite if they are the same.
+    pub(super) psnr_db: [f64; Texels::ALL.len()],
+}
+
+impl Sampled {
+    /// How near the colours of a format are to those without a palette, in dB.
+    pub(super) fn psnr_db_of(&self, texels: Texels) -> f64 {
+        let of_formats = Texels::ALL.into_iter().zip(self.psnr_db);
+        of_formats.filter(|&(other, _)| other == texels).map(|(_, db)| db).fold(0.0, f64::max)
+    }
+
+    /// Of a model in a file, given what all views show.
+    ///
+    /// # Errors
+    ///
+    /// Returns an error if the file has changed and cannot be converted any more.
+    pub(super) fn new(
+        model: &Model,
+        path: &Path,
+        options: &Options,
+        seen: Sampling,
+    ) -> Result<Self, PlanError> {
+        let textures = model.textures.as_ref();
+        let size = textures.map_or([1; 2], |textures| textures.size);
+        let chosen = options.textures.as_ref().and_then(|textures| textures.size);
+        // A size that was asked for stays.
+        let halvings = if chosen.is_some() { 0 } else { seen.halvings() };
+        let smaller = size.map(|side| (side >> halvings).max(1));
+        let stored = |format| Model::load(path, &with_texels(options, Some(smaller), format));
+        let direct = stored(TexelFormat::Direct)?;
+        let mut psnr_db = [f64::INFINITY; Texels::ALL.len()];
+        for (psnr_db, texels) in psnr_db.iter_mut().zip(Texels::ALL).skip(1) {
+            *psnr_db = psnr(&direct, &stored(texels.format())?);
+        }
+        let scale = smaller[0] as f64 / size[0] as f64;
+        let affine_error = seen.affine_error * scale;
+        Ok(Self { seen, sizes: [size, smaller], affine_error, psnr_db })
+    }
+}
+
+/// The options with textures of a size and a format.
+pub(super) fn with_texels(
+    options: &Options,
+    size: Option<[usize; 2]>,
+    format: TexelFormat,
+) -> Options {
+    let textures = options.textures.as_ref().map(|textures| TextureOptions {
+        size: size.or(textures.size),
+        format,
+        color: ColorFormat::Rgb565,
+        mipmaps: false,
+        ..*textures
+    });
+    Options { textures, ..options.clone() }
+}
+
+/// The peak signal-to-noise ratio of the opaque texels of two models with the same textures in
+/// other formats, in dB: that of the worst texture.
+fn psnr(expected: &Model, stored: &Model) -> f64 {
+    let [expected, stored] =
+        [expected, stored].map(|model| model.textures.iter().flat_map(|set| &set.textures));
+    let pairs = expected.zip(stored);
+    pairs.map(|(expected, stored)| psnr_of(expected, stored)).fold(f64::INFINITY, f64::min)
+}
+
+fn psnr_of(expected: &Texture, stored: &Texture) -> f64 {
+    let (mut sum, mut count) = (0.0, 0_usize);
+    for texel in 0..expected.texels.len() {
+        let [a, b] = [expected, stored].map(|texture| texture.rgba(texel));
+        if a[3] > 0.0 {
+            sum += (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>();
+            count += 3;
+        }
+    }
+    // Without a difference it is infinite.
+    10.0 * (255.0 * 255.0 * count.max(1) as f64 / sum).log10()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs;
+
+    use tempfile::TempDir;
+
+    use super::{super::tests, *};
+    use crate::plan::{Costs, Paint, Plan, Request, Study};
+
+    /// A square with a picture of 64 x 64 pixels, each 2 x 2 of them in one of some colours.
+    fn painted(colors: u32) -> (TempDir, std::path::PathBuf) {
+        let square = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
+                      vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+        let (directory, path) = tests::file(square);
+        fs::write(directory.path().join("m.mtl"), "newmtl a\nmap_Kd m.png\n").unwrap();
+        let color = |x: u32, y: u32| {
+            let number = (x / 2 + 32 * (y / 2)) % colors;
+            [number % 8 * 32, number / 8 % 8 * 32, number / 64 * 60].map(|c| c as u8)
+        };
+        let pixels: Vec<u8> =
+            (0..64 * 64).flat_map(|place| color(place % 64, place / 64)).collect();
+        let file = fs::File::create(directory.path().join("m.png")).unwrap();
+        let mut encoder = png::Encoder::new(file, 64, 64);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.write_header().unwrap().write_image_data(&pixels).unwrap();
+        (directory, path)
+    }
+
+    fn study(colors: u32, request: &Request) -> (TempDir, Study) {
+        let (directory, path) = painted(colors);
+        let options = Options { textures: Some(TextureOptions::default()), ..Options::default() };
+        let study = Study::new(&path, &options, request, |_| ()).unwrap();
+        (directory, study)
+    }
+
+    #[test]
+    fn palettes_have_the_same_colours_if_they_have_as_many() {
+        let psnr_db = |colors| study(colors, &tests::request()).1.sampling.unwrap().psnr_db;
+        assert_eq!(psnr_db(16), [f64::INFINITY; 3]);
+        let [direct, of_256, of_16] = psnr_db(17);
+        assert_eq!([direct, of_256], [f64::INFINITY; 2]);
+        assert!(of_16.is_finite() && of_16 > 20.0, "{of_16} dB");
+        assert!(psnr_db(257)[1].is_finite());
+    }
+
+    /// The format of the texels of a plan for little flash: too little for all of them, and with
+    /// the least for that of 16 colours alone.
+    #[test]
+    fn flash_and_nearness_decide_the_format() {
+        let request = tests::request();
+        let plan = |colors, request: &Request| -> Result<Plan, PlanError> {
+            let (_directory, study) = study(colors, request);
+            study.plan(&Costs::measured())
+        };
+        let format = |plan: &Plan| match plan.chosen.types.paint {
+            Paint::Textures(_, format) => format,
+            paint => panic!("{paint:?}"),
+        };
+        let free = plan(16, &request).unwrap();
+        assert_eq!(format(&free), Texels::Direct);
+        // The picture takes 64 x 64 texels of 2 bytes, of 1 byte and 512 bytes of palette, or of
+        // half a byte.
+        let most = free.predicted.flash_bytes();
+        let with = |flash: u32| Request { flash_bytes: Some(flash), ..request.clone() };
+        let of = |flash| format(&plan(16, &with(flash)).unwrap());
+        assert_eq!(of(most - 2_000), Texels::Indexed8);
+        assert_eq!(of(most - 5_000), Texels::Indexed4);
+        assert!(plan(16, &with(most - 8_000)).is_err());
+        // Of 17 colours one is missing, which must be allowed.
+        assert!(matches!(plan(17, &with(most - 5_000)), Err(PlanError::TooLarge { .. })));
+        let lossy = Request { palette_db: 20.0, ..with(most - 5_000) };
+        let lossy = plan(17, &lossy).unwrap();
+        assert_eq!(format(&lossy), Texels::Indexed4);
+        let textures = tests::decision(&lossy, "textures");
+        assert!(textures.choice.contains("a palette of 16 colours"), "{textures:?}");
+        assert!(textures.margin.contains("20 dB are wanted"), "{textures:?}");
+    }
+}
