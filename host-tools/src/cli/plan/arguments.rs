@@ -43,9 +43,9 @@ Cycles are those of a core whose memory never waits, with a driver that takes a 
 cycles. They are within 15 % for most models (tests/measure/PLANS.md), but rough for textures, whose
 set-up depends on their coordinates.
 
-Textures become as small as they are seen. Colours of 16 bits are the fastest; a palette of 256 or 16
-colours is taken where they leave too little flash, if it has the same colours or is as near to them
-as --palette-db says.
+Textures become as small as they are seen. A palette of 256 or 16 colours is taken if it has the same
+colours as without one, or is as near to them as --palette-db says: where it takes at most 2 % more
+time, or where 16 bits for each texel do not fit the flash.
 
 Not planned: lines and points, highlights, fog, blending, shadows, filters of textures, several
 objects.

@@ -154,7 +154,7 @@ fn die() -> String {
     text
 }
 
-/// Pips on sixteen greys.
+/// Red pips on fifteen greys.
 fn pips(x: u32, y: u32) -> [u8; 3] {
     let from_middle = |c: u32| (c % 16).abs_diff(8);
     let is_pip = from_middle(x).pow(2) + from_middle(y).pow(2) < 20;
