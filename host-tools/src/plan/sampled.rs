@@ -21,12 +21,11 @@ pub(super) struct Sampled {
 
 impl Sampled {
     /// How near the colours of a format are to those without a palette, in dB.
-    pub(super) fn psnr_db_of(&self, texels: Texels) -> f64 {
-        let of_formats = Texels::ALL.into_iter().zip(self.psnr_db);
-        of_formats.filter(|&(other, _)| other == texels).map(|(_, db)| db).fold(0.0, f64::max)
+    pub(super) const fn psnr_db_of(&self, texels: Texels) -> f64 {
+        self.psnr_db[texels as usize]
     }
 
-    /// Of a model in a file, given what all views show.
+    /// Of a model in a file, with colours of 16 bits, given what all views show.
     ///
     /// # Errors
     ///
@@ -44,10 +43,11 @@ impl Sampled {
         let halvings = if chosen.is_some() { 0 } else { seen.halvings() };
         let smaller = size.map(|side| (side >> halvings).max(1));
         let stored = |format| Model::load(path, &with_texels(options, Some(smaller), format));
-        let direct = stored(TexelFormat::Direct)?;
+        let resized = if halvings > 0 { Some(stored(TexelFormat::Direct)?) } else { None };
+        let direct = resized.as_ref().unwrap_or(model);
         let mut psnr_db = [f64::INFINITY; Texels::ALL.len()];
         for (psnr_db, texels) in psnr_db.iter_mut().zip(Texels::ALL).skip(1) {
-            *psnr_db = psnr(&direct, &stored(texels.format())?);
+            *psnr_db = psnr(direct, &stored(texels.format())?);
         }
         let scale = smaller[0] as f64 / size[0] as f64;
         let affine_error = seen.affine_error * scale;
@@ -71,26 +71,16 @@ pub(super) fn with_texels(
     Options { textures, ..options.clone() }
 }
 
-/// The peak signal-to-noise ratio of the opaque texels of two models with the same textures in
-/// other formats, in dB: that of the worst texture.
+/// How near the textures of a model are to those of another one, which has them in another format:
+/// [`Texture::psnr`] of the worst.
 fn psnr(expected: &Model, stored: &Model) -> f64 {
     let [expected, stored] =
         [expected, stored].map(|model| model.textures.iter().flat_map(|set| &set.textures));
-    let pairs = expected.zip(stored);
-    pairs.map(|(expected, stored)| psnr_of(expected, stored)).fold(f64::INFINITY, f64::min)
-}
-
-fn psnr_of(expected: &Texture, stored: &Texture) -> f64 {
-    let (mut sum, mut count) = (0.0, 0_usize);
-    for texel in 0..expected.texels.len() {
-        let [a, b] = [expected, stored].map(|texture| texture.rgba(texel));
-        if a[3] > 0.0 {
-            sum += (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f64>();
-            count += 3;
-        }
-    }
-    // Without a difference it is infinite.
-    10.0 * (255.0 * 255.0 * count.max(1) as f64 / sum).log10()
+    let of = |(expected, stored): (&Texture, &Texture)| {
+        let exact: Vec<_> = (0..expected.texels.len()).map(|texel| expected.rgba(texel)).collect();
+        stored.psnr(&exact)
+    };
+    expected.zip(stored).map(of).fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

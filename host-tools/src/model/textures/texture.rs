@@ -158,8 +158,10 @@ impl Texture {
         packed(self.alpha.iter().copied(), self.alpha_bits)
     }
 
-    /// The ratio for the opaque ones of some texels, given what they stand for.
-    fn psnr(&self, exact: &[Stored]) -> f64 {
+    /// How near the first texels are to what they stand for: the peak signal-to-noise ratio of
+    /// those that stand for opaque ones, in dB. Infinite if they are equal.
+    #[must_use]
+    pub fn psnr(&self, exact: &[[f64; 4]]) -> f64 {
         let (mut sum, mut count) = (0.0, 0);
         for (texel, exact) in exact.iter().enumerate().filter(|(_, exact)| exact[3] >= HALF) {
             let stored = self.rgba(texel);

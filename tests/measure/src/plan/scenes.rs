@@ -88,18 +88,15 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
                 Some(folder) => beside(Path::new(&folder)),
                 None => continue,
             },
-            Stiff(obj) => {
+            Stiff(obj) | Painted(obj) => {
                 let file = beside(folder);
                 fs::write(&file, obj()).with_context(|| file.display().to_string())?;
-                file
-            }
-            Painted(obj) => {
-                let [file, library, picture] =
-                    ["obj", "mtl", "png"].map(|ending| beside(folder).with_extension(ending));
-                let library_text = format!("newmtl a\nmap_Kd {model_name}.png\n");
-                fs::write(&library, library_text).with_context(|| library.display().to_string())?;
-                bodies::picture(&picture, pips)?;
-                fs::write(&file, obj()).with_context(|| file.display().to_string())?;
+                if matches!(model, Painted(_)) {
+                    let library = file.with_extension("mtl");
+                    let text = format!("newmtl a\nmap_Kd {model_name}.png\n");
+                    fs::write(&library, text).with_context(|| library.display().to_string())?;
+                    bodies::picture(&file.with_extension("png"), pips)?;
+                }
                 file
             }
         };
@@ -119,32 +116,32 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
+/// The faces of a box by its corners from 1, x changing first.
+const FACES: [[u32; 4]; 6] =
+    [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]];
+
 fn cube() -> String {
+    let faces = FACES.map(|[a, b, c, d]| format!("f {a} {b} {c} {d}\n"));
+    cube_corners() + &faces.concat()
+}
+
+fn cube_corners() -> String {
     let corners = (0..8).map(|corner| {
         let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -1 } else { 1 });
         format!("v {x} {y} {z}\n")
     });
-    corners.collect::<String>()
-        + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n"
+    corners.collect()
 }
 
 /// A cube with another part of the picture on each face.
 fn die() -> String {
-    let mut text = String::from("mtllib die.mtl\nusemtl a\n");
-    for corner in 0..8 {
-        let [x, y, z] = [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -1 } else { 1 });
-        let _ = writeln!(text, "v {x} {y} {z}");
-    }
+    let mut text = String::from("mtllib die.mtl\nusemtl a\n") + &cube_corners();
     for [column, row] in (0..6).map(|face| [face % 3, face / 3].map(f64::from)) {
         for [right, up] in [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]] {
             let _ = writeln!(text, "vt {:.6} {:.6}", (column + right) / 3.0, (row + up) / 2.0);
         }
     }
-    for (face, corners) in
-        [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
-            .into_iter()
-            .enumerate()
-    {
+    for (face, corners) in FACES.into_iter().enumerate() {
         text.push('f');
         for (place, corner) in corners.into_iter().enumerate() {
             let _ = write!(text, " {corner}/{}", 4 * face + place + 1);
@@ -167,8 +164,7 @@ fn boxed(text: &mut String, number: &mut u32, corners: [[f64; 3]; 8]) {
     for [x, y, z] in corners {
         let _ = writeln!(text, "v {x:.6} {y:.6} {z:.6}");
     }
-    for face in [[1, 3, 4, 2], [5, 6, 8, 7], [1, 2, 6, 5], [3, 7, 8, 4], [1, 5, 7, 3], [2, 4, 8, 6]]
-    {
+    for face in FACES {
         let [a, b, c, d] = face.map(|corner| corner + *number);
         let _ = writeln!(text, "f {a} {b} {c} {d}");
     }
