@@ -1,5 +1,7 @@
 //! Object space to clip space to the screen: the work on every vertex.
 
+use core::array;
+
 use super::{
     PoseError, Projection, ScreenVertex,
     lens::{Lens, Reach},
@@ -297,6 +299,33 @@ impl<P: Projection> Transform<P> {
         )
     }
 
+    /// Whether the viewer is in front of a plane of the mesh: where three points of it run
+    /// counter-clockwise.
+    ///
+    /// With (x, y, w) of the points as rows, the determinant is six times the volume of the
+    /// tetrahedron of the eye and the three points; in a parallel projection, where w is the same
+    /// everywhere, it is twice the area of their triangle on the screen times w. Counter-clockwise
+    /// is negative, as y runs downwards.
+    #[inline(never)]
+    pub(crate) fn is_in_front_of<C: Coordinate>(&self, points: &[[i16; 3]; 3]) -> bool {
+        let [a, b, c] = points.map(|point| {
+            let [x, y, z] = self.object_to_clip_outlined::<C>(point).map(C::units);
+            [x, y, self.lens.w(z)]
+        });
+        // Below 2^30 each, so that differences fit 32 bits, and products of two of them 62.
+        let u: [i64; 3] = array::from_fn(|i| i64::from(b[i] - a[i]));
+        let v: [i64; 3] = array::from_fn(|i| i64::from(c[i] - a[i]));
+        let mut determinant = Float::ZERO;
+        for (i, &coordinate) in a.iter().enumerate().take(codegen::unknown(3)) {
+            // The place after i, and that after it.
+            let j = (1 << i) & 3;
+            let k = 3 - i - j;
+            let product = Float::new(u[j] * v[k] - u[k] * v[j], 0);
+            determinant = determinant.plus(product.times(Float::new(coordinate.into(), 0)));
+        }
+        determinant.mantissa < 0
+    }
+
     /// Whether a box is certain to lie outside a picture of `size` pixels in width and height: all
     /// its corners beyond one and the same plane.
     pub(crate) fn is_outside_view<C: Coordinate>(
@@ -419,12 +448,11 @@ mod tests {
                 m.map(|row| (0..3).map(|k| row[k] * v[k]).sum::<f64>())
             };
             let offset = numbers(Vec3::lit("0.5", "-0.25", "0.125"));
-            let model: [f64; 3] = core::array::from_fn(|i| {
-                (offset[i] + f64::from(position[i]) * 3.0 / 65536.0) * 1.75
-            });
+            let model: [f64; 3] =
+                array::from_fn(|i| (offset[i] + f64::from(position[i]) * 3.0 / 65536.0) * 1.75);
             let turned = apply(rows(&self.pose.rotation), model);
             let (at, eye) = (numbers(self.pose.translation), numbers(self.eye));
-            let world: [f64; 3] = core::array::from_fn(|i| turned[i] + at[i] - eye[i]);
+            let world: [f64; 3] = array::from_fn(|i| turned[i] + at[i] - eye[i]);
             let [right, up, back] = apply(rows(&self.rotation.inverse()), world);
             [right, up, -back]
         }

@@ -175,6 +175,20 @@ impl Triangles<'_> {
         self.len() == 0
     }
 
+    /// The vertex indices of a triangle that exists.
+    pub(super) const fn corners(&self, index: usize) -> [usize; 3] {
+        match self {
+            Self::U8(triangles) => {
+                let [a, b, c] = triangles[index];
+                [a as usize, b as usize, c as usize]
+            }
+            Self::U16(triangles) => {
+                let [a, b, c] = triangles[index];
+                [a as usize, b as usize, c as usize]
+            }
+        }
+    }
+
     /// The vertex indices of triangle `index`, or `None` past the end.
     #[inline]
     #[must_use]

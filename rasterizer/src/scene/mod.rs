@@ -4,7 +4,8 @@
 //! [`Scene`], which is drawn by one call, in bands too; all is compiled for their shaders. Where
 //! the frame is drawn in bands, [`Object::project`] does the work on the vertices once,
 //! [`Projected::binned`] finds out which triangles reach which band, and [`Projected::draw`] is
-//! called for each band. [`Projected::back_to_front`] sorts triangles for objects that are blended,
+//! called for each band. [`Projected::in_parts`] draws a mesh of parts that planes keep apart from
+//! back to front. [`Projected::back_to_front`] sorts triangles for objects that are blended,
 //! [`Painter`] those of several objects. [`Object::project_on_demand`] needs no storage for
 //! vertices. [`Needs`] gives the length of every buffer at compile time.
 //!
@@ -20,6 +21,7 @@ mod back_to_front;
 mod bins;
 mod contents;
 mod error;
+mod in_parts;
 mod levels;
 mod lines;
 mod mode;
@@ -41,6 +43,7 @@ pub use back_to_front::BackToFront;
 pub use bins::{Bins, bin_words};
 pub use contents::{Contents, DrawContents, Each, each};
 pub use error::{DrawError, ProjectError};
+pub use in_parts::{InParts, TableOrder};
 pub use levels::Levels;
 pub use lines::ProjectedLines;
 pub use mode::{Mode, Modes};

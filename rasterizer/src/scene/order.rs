@@ -8,7 +8,8 @@ use crate::{
 };
 
 /// The order of an object's triangles: [`MeshOrder`], [`Bins`](super::Bins) that leave out those
-/// that miss a band, or [`BackToFront`](super::BackToFront).
+/// that miss a band, both of them [`InParts`](super::InParts), or
+/// [`BackToFront`](super::BackToFront).
 pub trait Order: Copy + Sequence {}
 
 mod private {
@@ -67,7 +68,7 @@ impl Sequence for MeshOrder {
 
 /// Visits the materials with the triangles that each covers.
 #[inline(always)]
-fn for_each_material<E>(
+pub(super) fn for_each_material<E>(
     tables: &Tables<'_>,
     mut visit: impl FnMut((usize, &Material), Range<usize>) -> Result<(), E>,
 ) -> Result<(), E> {
