@@ -64,21 +64,28 @@ pub fn shape(model: &Model) -> Shape {
     }
 }
 
-/// The triangles as positions, without those of no area: hard edges and seams divide vertices, not
-/// places.
-fn by_position(model: &Model) -> Vec<[[i16; 3]; 3]> {
-    let mesh = model.mesh();
-    let triangles = mesh.tables().triangles;
-    (0..model.report.triangles)
-        .filter_map(|number| triangles.get(number))
-        .map(|corners| corners.map(|corner| model.positions[corner]))
-        .filter(|&triangle| cross(triangle) != [0; 3])
-        .collect()
+/// The positions of a triangle's corners in quanta.
+pub(super) type Corners = [[i16; 3]; 3];
+
+/// The triangles of a model's tables.
+pub(super) fn triangles(model: &Model) -> Vec<Corners> {
+    let table = model.triangles.as_triangles();
+    let corners = (0..model.report.triangles).filter_map(|number| table.get(number));
+    corners.map(|corners| corners.map(|corner| model.positions[corner])).collect()
 }
 
-/// Whether no vertex lies above the plane of a triangle. Planes of a convex body are few, or its
-/// vertices are: a sphere of 65,536 vertices takes a few seconds.
-fn is_below_all(triangles: &[[[i16; 3]; 3]]) -> bool {
+/// The triangles as positions, without those of no area: hard edges and seams divide vertices, not
+/// places.
+fn by_position(model: &Model) -> Vec<Corners> {
+    let mut triangles = triangles(model);
+    triangles.retain(|&triangle| cross(triangle) != [0; 3]);
+    triangles
+}
+
+/// Whether no vertex lies above the plane of a triangle: then no triangle hides another one, closed
+/// or not, from wherever it is seen, as what hides a triangle lies in front of its plane. Planes of
+/// a convex body are few, or its vertices are: a sphere of 65,536 vertices takes a few seconds.
+pub(super) fn is_below_all(triangles: &[Corners]) -> bool {
     let mut vertices: Vec<_> = triangles.iter().flatten().copied().collect();
     vertices.sort_unstable();
     vertices.dedup();
@@ -89,20 +96,20 @@ fn is_below_all(triangles: &[[[i16; 3]; 3]]) -> bool {
 }
 
 /// Six times the volume of the tetrahedron over a triangle: above 0 if the point lies in front.
-fn volume(triangle: [[i16; 3]; 3], point: [i16; 3]) -> i64 {
+fn volume(triangle: Corners, point: [i16; 3]) -> i64 {
     dot(cross(triangle), difference(point, triangle[0]))
 }
 
-fn difference(a: [i16; 3], b: [i16; 3]) -> [i64; 3] {
+pub(super) fn difference(a: [i16; 3], b: [i16; 3]) -> [i64; 3] {
     [0, 1, 2].map(|i| i64::from(a[i]) - i64::from(b[i]))
 }
 
-fn cross([a, b, c]: [[i16; 3]; 3]) -> [i64; 3] {
+pub(super) fn cross([a, b, c]: Corners) -> [i64; 3] {
     let (u, v) = (difference(b, a), difference(c, a));
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
-fn dot(a: [i64; 3], b: [i64; 3]) -> i64 {
+pub(super) fn dot(a: [i64; 3], b: [i64; 3]) -> i64 {
     (0..3).map(|i| a[i] * b[i]).sum()
 }
 

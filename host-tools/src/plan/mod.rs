@@ -19,6 +19,7 @@ mod divided;
 mod order;
 #[cfg(test)]
 mod order_tests;
+mod partition;
 mod predict;
 mod request;
 mod sampled;

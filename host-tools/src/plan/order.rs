@@ -6,6 +6,7 @@ use std::collections::{HashMap, VecDeque};
 use super::{
     Worst,
     arcs::{Arcs, Cycle},
+    convex::{self, Corners},
     seen::Eye,
     views::Placed,
 };
@@ -40,7 +41,7 @@ pub(super) struct FixedOrder {
 
 /// What is the same of a triangle in all tables: its material, and its corners in quanta, the least
 /// one first.
-type Triangle = (usize, [[i16; 3]; 3]);
+type Triangle = (usize, Corners);
 
 impl FixedOrder {
     /// The order that arcs between the triangles of a model allow.
@@ -131,14 +132,11 @@ impl FixedOrder {
 
 /// The triangles of a model's tables.
 fn triangles(model: &Model) -> Vec<Triangle> {
-    let table = model.triangles.as_triangles();
     let materials = model.materials_of_triangles();
-    let corners = (0..model.report.triangles).filter_map(|number| table.get(number));
-    let triangle = |(corners, material): ([usize; 3], usize)| {
-        let mut places = corners.map(|corner| model.positions[corner]);
+    let triangle = |(mut places, material): (Corners, usize)| {
         let least = (0..3).min_by_key(|&corner| places[corner]).unwrap_or(0);
         places.rotate_left(least);
         (material, places)
     };
-    corners.zip(materials).map(triangle).collect()
+    convex::triangles(model).into_iter().zip(materials).map(triangle).collect()
 }
