@@ -47,7 +47,7 @@ impl Study {
         // Nothing is as simple as the order of the tables.
         let size = |(candidate, p, _): &&(Candidate, Predicted, _)| {
             let visibility = candidate.types.visibility;
-            let decides = !matches!(visibility, Visibility::MeshOrder | Visibility::FixedOrder);
+            let decides = visibility > Visibility::PartOrder;
             (decides, p.flash_bytes() + p.ram_bytes())
         };
         let least = all.iter().filter(fits).min_by(by_time).map_or(0.0, |(_, p, _)| p.seconds);

@@ -169,6 +169,39 @@ impl SliverCost {
     }
 }
 
+/// What parts that planes keep apart take.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct PartCost {
+    /// Bytes of code.
+    pub(super) flash_bytes: u32,
+    /// Bytes of stack.
+    pub(super) stack_bytes: u32,
+    /// The cycles of each plane in a frame: a determinant of nine coordinates.
+    plane: f64,
+}
+
+impl PartCost {
+    /// TODO
+    pub(super) const fn of(core: Core) -> Self {
+        match core {
+            Core::M0plus => Self { flash_bytes: 900, stack_bytes: 60, plane: 3_500.0 },
+            Core::M4 => Self { flash_bytes: 700, stack_bytes: 60, plane: 1_000.0 },
+            Core::Riscv => Self { flash_bytes: 800, stack_bytes: 60, plane: 1_000.0 },
+        }
+    }
+
+    /// The cycles of a frame.
+    pub(super) fn cycles_of(&self, planes: usize) -> f64 {
+        self.plane * planes as f64
+    }
+
+    /// The bytes of the tables: three points and three parts for each plane, the end of each part,
+    /// and the addresses and lengths of both. None without planes.
+    pub(super) const fn table_bytes(planes: usize) -> usize {
+        if planes == 0 { 0 } else { 22 * planes + 4 * (planes + 1) + 16 }
+    }
+}
+
 impl Costs {
     /// The table that was measured.
     #[must_use]

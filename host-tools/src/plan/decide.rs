@@ -61,7 +61,7 @@ impl Study {
     fn visibility(&self, estimator: &Estimator<'_>, chosen: Candidate) -> Decision {
         let visibility = chosen.types.visibility;
         let worst = self.worst(visibility);
-        let is_proven = self.shape == Shape::Convex && visibility == Visibility::MeshOrder;
+        let is_proven = self.is_proven(visibility);
         let shape = match self.shape {
             Shape::Convex => "the mesh is convex: no front face hides another".to_owned(),
             Shape::Hollow { edges } => {
@@ -97,8 +97,18 @@ impl Study {
                 thousands(self.worst(Visibility::FixedOrder).wrong)
             ),
         };
+        let order = match (visibility, &self.part_order) {
+            (Visibility::PartOrder, Some(parts)) => format!("{order}; {}", parts.reason()),
+            (_, Some(parts)) if !self.is_right(Visibility::PartOrder) => format!(
+                "{order}; {}, but up to {} wrong pixels are shown",
+                parts.reason(),
+                thousands(self.worst(Visibility::PartOrder).wrong)
+            ),
+            _ => order,
+        };
         let reason = match visibility {
-            _ if is_proven => shape,
+            Visibility::MeshOrder if is_proven => shape,
+            Visibility::PartOrder if is_proven => format!("{shape}{order}"),
             Visibility::U32 => format!("{shape}{order}; nothing less shows the right surfaces"),
             _ => format!("{shape}{order}; {wrong}"),
         };
@@ -107,7 +117,7 @@ impl Study {
             [Visibility::U16, Visibility::U32].into_iter().find(|&other| other > visibility);
         let basis = match visibility {
             _ if is_proven => PROVEN.into(),
-            Visibility::FixedOrder => self.request.views.basis_of_order(),
+            Visibility::FixedOrder | Visibility::PartOrder => self.request.views.basis_of_order(),
             _ => self.request.views.basis(),
         };
         Decision {

@@ -7,6 +7,7 @@ use rasterizer::camera::{Distance, Perspective};
 use super::{
     arcs::Arcs,
     order::{FixedOrder, Search},
+    partition::Partition,
     seen::Eye,
     tests::{CUBE, circle_of_bars, decision, file, request},
     *,
@@ -224,11 +225,103 @@ fn where_there_is_an_order_the_last_drawn_is_the_nearest() {
         for view in small.views.placed(small.distance) {
             let precision = small.core.subpixel();
             let nearest = with_eye(&plain, &study, |eye| eye.nearest(precision, &view)).unwrap();
-            let last = with_eye(&ordered, &study, |eye| eye.last_drawn(precision, &view)).unwrap();
+            let last =
+                with_eye(&ordered, &study, |eye| eye.last_drawn(precision, &view, None)).unwrap();
             assert!(corners(&plain, &nearest) == corners(&ordered, &last), "{obj}");
         }
     }
     assert!(found >= 10 && refused >= 1, "{found} {refused}");
+}
+
+/// Copies of a model beside each other, each of its own material.
+fn copies(obj: &str, places: &[[f64; 3]]) -> String {
+    let count = obj.lines().filter(|line| line.starts_with("v ")).count();
+    let mut text = String::new();
+    for (copy, place) in places.iter().enumerate() {
+        let _ = writeln!(text, "usemtl m{copy}");
+        for line in obj.lines() {
+            let mut words = line.split(' ');
+            let kind = words.next().unwrap();
+            let moved: Vec<String> = match kind {
+                "v" => {
+                    let moved = words.zip(place).map(|(c, by)| c.parse::<f64>().unwrap() + by);
+                    moved.map(|c| c.to_string()).collect()
+                }
+                "f" => {
+                    let moved = words.map(|c| c.parse::<usize>().unwrap() + copy * count);
+                    moved.map(|corner| corner.to_string()).collect()
+                }
+                _ => words.map(str::to_owned).collect(),
+            };
+            let _ = writeln!(text, "{kind} {}", moved.join(" "));
+        }
+    }
+    text
+}
+
+const CORNERS: [[f64; 3]; 4] =
+    [[0.5, 0.0, 0.5], [0.5, 0.0, -1.5], [-1.5, 0.0, 0.5], [-1.5, 0.0, -1.5]];
+
+#[test]
+fn convex_bodies_are_parts_from_wherever_they_are_seen() {
+    let (_directory, path) = file(&copies(CUBE, &CORNERS));
+    let request = large(Views::default());
+    let study = study_of(&path, &request);
+    // Each cube is before the next one in some view.
+    assert!(matches!(study.order, Search::Cycle(_)), "{:?}", study.order);
+    assert_eq!(study.worst(Visibility::PartOrder), Worst::default());
+    assert!(study.is_right(Visibility::PartOrder) && study.is_proven(Visibility::PartOrder));
+    let plan = study.plan(&Costs::measured()).unwrap();
+    assert_eq!(plan.chosen.types.visibility, Visibility::PartOrder);
+    assert!(plan.source.contains("seen.in_parts(&PARTS)"), "{}", plan.source);
+    assert_eq!(plan.source.matches("SeparatingPlane::new").count(), 3);
+    assert!(!plan.source.contains("back_to_front") && !plan.source.contains("memory.depth"));
+    let visibility = decision(&plan, "visibility");
+    assert!(visibility.reason.contains("planes keep 4 parts apart"), "{visibility:?}");
+    assert!(visibility.basis.contains("proven"), "{visibility:?}");
+    // A depth buffer would take two bytes more for each pixel.
+    let other = visibility.other.as_ref().unwrap();
+    assert!(other.choice == "16-bit depth" && other.ram_bytes > 0, "{other:?}");
+}
+
+#[test]
+fn parts_that_are_not_convex_have_an_order_of_their_own() {
+    // Cubes with a dent, which no plane divides.
+    let dent = "f 2 6 9\nf 6 8 9\nf 8 4 9\nf 4 2 9\nv 0.5 0.5 0.4\n";
+    let dented = CUBE.replace("f 2 6 8 4\n", dent);
+    let (_directory, path) = file(&copies(&dented, &CORNERS));
+    let views = Views::Turntable { steps: 128, pitch_degrees: 10.0 };
+    for is_smooth in [false, true] {
+        let request = Request { is_smooth: Some(is_smooth), ..large(views.clone()) };
+        let study = study_of(&path, &request);
+        assert!(matches!(study.order, Search::Cycle(_)));
+        let order = study.part_order.as_ref().unwrap();
+        assert_eq!(order.parts().map(Partition::count), Some(4));
+        assert!(study.is_right(Visibility::PartOrder) && !study.is_proven(Visibility::PartOrder));
+        assert!(order.reason().contains("within them have no cycle"), "{}", order.reason());
+        assert!(
+            study.worst(Visibility::PartOrder).wrong < study.worst(Visibility::MeshOrder).wrong
+        );
+        let plan = study.plan(&Costs::measured()).unwrap();
+        let mut others = plan.rejected.iter().map(|(other, ..)| other.types.visibility);
+        assert!(
+            plan.chosen.types.visibility == Visibility::PartOrder
+                || others.any(|other| other == Visibility::PartOrder)
+        );
+    }
+}
+
+#[test]
+fn parts_are_not_sought_where_an_order_of_the_whole_is_right() {
+    let (_directory, path) = file(&spiral());
+    let study = study_of(&path, &large(views(&[[0.0; 2], [10.0, 5.0]])));
+    assert!(study.is_right(Visibility::FixedOrder) && study.part_order.is_none());
+    assert!(!study.is_right(Visibility::PartOrder));
+    assert!(study.considered().all(|visibility| visibility != Visibility::PartOrder));
+    // And are not found where no plane divides bodies.
+    let (_directory, path) = file(&circle_of_bars());
+    let study = study_of(&path, &large(views(&[[0.0; 2]])));
+    assert!(matches!(study.order, Search::Cycle(_)) && study.part_order.is_none());
 }
 
 #[test]
@@ -255,7 +348,7 @@ fn what_is_judged_is_the_order_of_the_table_that_is_written() {
                 let precision = request.core.subpixel();
                 let wrong = |view| {
                     let [nearest, last] =
-                        [eye.nearest(precision, view), eye.last_drawn(precision, view)];
+                        [eye.nearest(precision, view), eye.last_drawn(precision, view, None)];
                     let (nearest, last) = (nearest.unwrap(), last.unwrap());
                     nearest.iter().zip(&last).filter(|(a, b)| a != b).count()
                 };
@@ -314,7 +407,7 @@ fn runs_of_materials_are_told() {
     let mut arcs = Arcs::new(3);
     arcs.add(0, 2, 0);
     arcs.add(2, 1, 0);
-    let order = FixedOrder::new(&model, &arcs).unwrap();
+    let order = FixedOrder::new(&model, &arcs, None).unwrap();
     assert!(order.reason().contains("in 3 runs of 2 materials"), "{}", order.reason());
     let ordered = order.applied(model);
     let runs: Vec<u32> = ordered.materials.iter().map(|run| run.triangle_count).collect();

@@ -2,7 +2,10 @@
 
 use super::{
     Correction, Costs, Load, Paint, PlanError, Study, Types, Vertices, Visibility, band_rows,
-    costs::RunCost, decide::Other, order::Search, types::Tables,
+    costs::{PartCost, RunCost},
+    decide::Other,
+    order::{FixedOrder, Search},
+    types::Tables,
 };
 use crate::model::Model;
 
@@ -100,15 +103,16 @@ impl<'a> Estimator<'a> {
         let Candidate { types, rows } = candidate;
         let (request, model) = (&self.study.request, self.model(types));
         let cost = self.costs.of(request.core, types)?;
+        let parts = self.part_cost(types).unwrap_or_default();
         let cycles = self.cycles(candidate)?;
         let mean = cycles.iter().sum::<f64>() / cycles.len().max(1) as f64;
         let [width, height] = request.display;
         let bits = f64::from(16 * width * height);
         Some(Predicted {
-            code_bytes: cost.flash_bytes,
+            code_bytes: cost.flash_bytes + parts.flash_bytes,
             table_bytes: self.table_bytes(types) as u32,
             buffer_bytes: buffer_bytes(model, types, request.display, *rows),
-            stack_bytes: cost.stack_bytes,
+            stack_bytes: cost.stack_bytes + parts.stack_bytes,
             cycles: mean,
             most_cycles: cycles.iter().copied().fold(0.0, f64::max),
             seconds: mean / request.clock_hz + request.bus_hz.map_or(0.0, |bus| bits / bus),
@@ -119,29 +123,37 @@ impl<'a> Estimator<'a> {
     pub(super) fn cycles(&self, candidate: &Candidate) -> Option<Vec<f64>> {
         let (Candidate { types, rows }, core) = (candidate, self.study.request.core);
         let cost = self.costs.of(core, types)?;
-        let (run, runs) = (RunCost::of(core, types), self.further_runs(types));
+        let order = self.study.order_of(types.visibility);
+        let (run, runs) =
+            (RunCost::of(core, types), order.map_or(0, FixedOrder::further_runs_drawn));
+        let of_parts = self.part_cost(types).map_or(0.0, |cost| cost.cycles_of(self.planes(types)));
         let loads = self.study.loads(self.model(types), types, *rows);
         let slivers = self.study.sliver_cycles(types, *rows);
-        let cycles = |load: &Load| cost.cycles_of(load) + run.cycles_of(runs, load);
+        let cycles = |load: &Load| cost.cycles_of(load) + run.cycles_of(runs, load) + of_parts;
         Some(loads.iter().zip(slivers).map(|(load, slivers)| cycles(load) + slivers).collect())
     }
 
-    /// The runs of a material in the tables, beyond one for each.
-    const fn further_runs(&self, types: &Types) -> usize {
-        match (&self.study.order, types.visibility) {
-            (Search::Found(order), Visibility::FixedOrder) => order.further_runs(),
-            _ => 0,
-        }
+    /// The planes between the parts that are drawn from back to front.
+    fn planes(&self, types: &Types) -> usize {
+        let parts = self.study.order_of(types.visibility).and_then(FixedOrder::parts);
+        parts.map_or(0, |parts| parts.planes.len())
+    }
+
+    /// What parts take, for types that draw them.
+    fn part_cost(&self, types: &Types) -> Option<PartCost> {
+        (self.planes(types) > 0).then(|| PartCost::of(self.study.request.core))
     }
 
     /// The bytes of the model's tables.
     fn table_bytes(&self, types: &Types) -> usize {
         // The texture of a run: at most the addresses of texels and of a palette.
+        let order = self.study.order_of(types.visibility);
         let of_textures = match types.paint {
-            Paint::Textures(..) => 8 * self.further_runs(types),
+            Paint::Textures(..) => 8 * order.map_or(0, FixedOrder::further_runs),
             _ => 0,
         };
-        self.model(types).report.flash.total() + of_textures
+        let of_parts = PartCost::table_bytes(self.planes(types));
+        self.model(types).report.flash.total() + of_textures + of_parts
     }
 
     /// All renderers that costs are known of, and why they cannot be taken.

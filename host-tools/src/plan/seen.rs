@@ -22,7 +22,9 @@ use rasterizer::{
     shade::{Face, Outcome, Shader},
 };
 
-use super::{Divided, Slivers, Visibility, arcs::Arcs, band_rows, views::Placed};
+use super::{
+    Divided, Slivers, Visibility, band_rows, order::Orders, partition::Partition, views::Placed,
+};
 use crate::check::{Subpixel as Precision, ViewError};
 
 /// The number of the face that a pixel shows, from 1; 0 for none.
@@ -104,7 +106,8 @@ pub(super) struct Seen {
     pub(super) faces: Vec<u32>,
     /// The pixels that show a face.
     pub(super) shown: usize,
-    /// For each of [`Visibility::ALL`] but a fixed order the pixels that show another one.
+    /// For each of [`Visibility::ALL`] but other orders of the tables the pixels that show another
+    /// one.
     pub(super) wrong: [usize; Visibility::ALL.len()],
 }
 
@@ -136,12 +139,12 @@ impl Eye<'_> {
         let mut wrong = [0; Visibility::ALL.len()];
         for (wrong, visibility) in wrong.iter_mut().zip(Visibility::ALL) {
             let other = match visibility {
-                Visibility::MeshOrder => self.without_depth::<S>(view, false)?,
-                Visibility::Sorted => self.without_depth::<S>(view, true)?,
+                Visibility::MeshOrder => self.in_order::<S>(view, None)?,
+                Visibility::Sorted => self.sorted::<S>(view)?,
                 Visibility::U16 => self.faces::<S, u16>(view, Some(&counts))?,
                 Visibility::Float16 => self.faces::<S, FloatDepth>(view, None)?,
                 // That of the study's own mesh is not judged before all views are known.
-                Visibility::FixedOrder | Visibility::U32 => continue,
+                Visibility::FixedOrder | Visibility::PartOrder | Visibility::U32 => continue,
             };
             *wrong = other.iter().zip(&faces).filter(|(a, b)| a != b).count();
         }
@@ -169,7 +172,7 @@ impl Eye<'_> {
         Ok(numbers(faces))
     }
 
-    /// The same without depth, in the order of the mesh: the last face drawn.
+    /// The same without depth, in the order of the mesh or of its parts: the last face drawn.
     ///
     /// # Errors
     ///
@@ -178,10 +181,11 @@ impl Eye<'_> {
         &self,
         precision: Precision,
         view: &Placed,
+        parts: Option<&Partition>,
     ) -> Result<Vec<u32>, ViewError> {
         let faces = match precision {
-            Precision::S4 => self.without_depth::<S4>(view, false)?,
-            Precision::S8 => self.without_depth::<S8>(view, false)?,
+            Precision::S4 => self.in_order::<S4>(view, parts)?,
+            Precision::S8 => self.in_order::<S8>(view, parts)?,
         };
         Ok(numbers(faces))
     }
@@ -196,19 +200,20 @@ impl Eye<'_> {
         precision: Precision,
         (number, view): (u32, &Placed),
         front: &[u32],
-        arcs: &mut Arcs,
+        orders: &mut Orders,
     ) -> Result<(), ViewError> {
-        let mut covering = Covering { eye: self, front, view: number, arcs };
+        let mut covering = Covering { eye: self, front, view: number, orders };
         match precision {
-            Precision::S4 => self.draw_without_depth::<S4, _>(view, &mut covering),
-            Precision::S8 => self.draw_without_depth::<S8, _>(view, &mut covering),
+            Precision::S4 => self.draw_without_depth::<S4, _>(view, None, &mut covering),
+            Precision::S8 => self.draw_without_depth::<S8, _>(view, None, &mut covering),
         }
     }
 
-    /// Draws the triangles in the order of the mesh.
+    /// Draws the triangles in the order of the mesh or of its parts.
     fn draw_without_depth<S: Subpixel, T>(
         &self,
         view: &Placed,
+        parts: Option<&Partition>,
         target: &mut T,
     ) -> Result<(), ViewError>
     where
@@ -216,7 +221,14 @@ impl Eye<'_> {
     {
         let mut vertices = vec![ScreenVertex::<S, NoDepth, _>::EMPTY; self.mesh.vertex_count()];
         let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
-        let Ok(()) = seen.draw(target);
+        let Ok(()) = match parts {
+            Some(parts) => parts.with_parts(self.mesh, |parts| match parts {
+                Some(parts) => seen.in_parts(parts).draw(target),
+                // Of a file that has changed meanwhile.
+                None => seen.draw(target),
+            }),
+            None => seen.draw(target),
+        };
         Ok(())
     }
 
@@ -250,22 +262,26 @@ impl Eye<'_> {
         Ok(color)
     }
 
-    /// The faces without depth: in the order of the mesh, the last on top, or from back to front.
-    fn without_depth<S: Subpixel>(
+    /// The faces without depth, in the order of the mesh or of its parts: the last on top.
+    fn in_order<S: Subpixel>(
         &self,
         view: &Placed,
-        is_sorted: bool,
+        parts: Option<&Partition>,
     ) -> Result<Vec<FaceNumber>, ViewError> {
+        let mut color = self.pixels(FaceNumber(0));
+        let mut frame = Frame::without_depth(&mut color, self.area())?;
+        self.draw_without_depth::<S, _>(view, parts, &mut frame)?;
+        Ok(color)
+    }
+
+    /// The faces without depth, from back to front.
+    fn sorted<S: Subpixel>(&self, view: &Placed) -> Result<Vec<FaceNumber>, ViewError> {
         let mut color = self.pixels(FaceNumber(0));
         let mut vertices = vec![ScreenVertex::<S, NoDepth, _>::EMPTY; self.mesh.vertex_count()];
         let mut order = vec![0; self.mesh.triangle_count()];
         let seen = self.object(view).project(&self.camera(view)?, &mut vertices)?;
         let mut frame = Frame::without_depth(&mut color, self.area())?;
-        let Ok(()) = if is_sorted {
-            seen.back_to_front(&mut order)?.draw(&mut frame)
-        } else {
-            seen.draw(&mut frame)
-        };
+        let Ok(()) = seen.back_to_front(&mut order)?.draw(&mut frame);
         Ok(color)
     }
 
@@ -284,7 +300,7 @@ struct Covering<'c> {
     eye: &'c Eye<'c>,
     front: &'c [u32],
     view: u32,
-    arcs: &'c mut Arcs,
+    orders: &'c mut Orders,
 }
 
 impl Target for Covering<'_> {
@@ -318,7 +334,7 @@ impl Target for Covering<'_> {
         primitive.for_each_span(window, layout, |span| {
             for &front in self.front.get(span.start..span.end).unwrap_or_default() {
                 if front != last && front != face && front > 0 {
-                    self.arcs.add(face - 1, front - 1, self.view);
+                    self.orders.add(face - 1, front - 1, self.view);
                     last = front;
                 }
             }

@@ -4,7 +4,10 @@ use std::fmt::Write as _;
 
 use rasterizer::numbers::Turn;
 
-use super::{Correction, Decision, Paint, Request, Study, Types, Vertices, Views, Visibility};
+use super::{
+    Correction, Decision, Paint, Request, Study, Types, Vertices, Views, Visibility,
+    order::FixedOrder, partition::Partition,
+};
 use crate::{
     check::angle,
     model::{Model, emit},
@@ -13,6 +16,10 @@ use crate::{
 /// The file: the tables of the model, the types, the memory, and a function that draws.
 pub(super) fn source(study: &Study, model: &Model, types: &Types, rows: u32) -> String {
     let mut out = emit::source(model);
+    let parts = study.order_of(types.visibility).and_then(FixedOrder::parts);
+    if let Some(parts) = parts {
+        out += &separated(parts, &model.name);
+    }
     let _ = write!(out, "{}{}{}", head(study, model, types, rows), memory(model, types), ERROR);
     out + &draw(study, model, types)
 }
@@ -31,6 +38,30 @@ pub(super) fn with_decisions(source: &str, decisions: &[Decision], request: &Req
     }
     let (first, rest) = source.split_once('\n').unwrap_or((source, ""));
     format!("{first}\n{lines}{rest}")
+}
+
+/// The parts of a mesh, and the planes between them.
+fn separated(parts: &Partition, name: &str) -> String {
+    let ends = parts.ends().iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+    let mut planes = String::new();
+    for plane in &parts.planes {
+        let _ = writeln!(
+            planes,
+            "        ::rasterizer::mesh::SeparatingPlane::new({:?}, {:?}),",
+            plane.points, plane.parts
+        );
+    }
+    format!(
+        "
+/// The parts of the mesh, which are drawn from back to front.
+static PARTS: ::rasterizer::mesh::Parts<'static> = ::rasterizer::mesh::Parts::new_const(
+    &{name},
+    &[{ends}],
+    &[
+{planes}    ],
+);
+"
+    )
 }
 
 /// The texture type of a model, or nothing.
@@ -244,6 +275,10 @@ fn draw(study: &Study, model: &Model, types: &Types) -> String {
         _ if types.in_bands => "\n    let seen = seen.binned(ROWS, &mut memory.bins)?;",
         _ => "",
     };
+    let parts = match types.visibility {
+        Visibility::PartOrder => "\n    let seen = seen.in_parts(&PARTS);",
+        _ => "",
+    };
     let bands = if types.visibility.depth_bytes() > 0 {
         "Bands::new(SCREEN, &mut memory.color[..], &mut memory.depth[..])?"
     } else {
@@ -264,7 +299,7 @@ pub fn draw<D: DrawTarget<Color = Rgb565>>(
     let eye = Vec3::new(Scalar::ZERO, Scalar::ZERO, {distance});
     let camera = Camera::at(eye, Rotation::IDENTITY, LENS, SCREEN)?;
     let object = Object::new(&{name}, SHADER).posed(Pose::rotated(rotation)).clipped({clip});
-    let seen = object.{project};{order}
+    let seen = object.{project};{order}{parts}
     {bands}
         .show(display, |band| band.clear_color(BACKGROUND), |band| seen.draw(band))
         .map_err(Error::Display)

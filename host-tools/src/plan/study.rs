@@ -5,12 +5,10 @@ use std::path::{Path, PathBuf};
 use rasterizer::camera::{Distance, Perspective};
 
 use super::{
-    Correction, Load, Paint, PlanError, Request, Shape, Types, Visibility, Work,
-    arcs::{Arcs, Cycle},
-    band_rows, convex,
+    Correction, Load, Paint, PlanError, Request, Shape, Types, Visibility, Work, band_rows, convex,
     costs::SliverCost,
     divided::Coordinates,
-    order::{FixedOrder, Search},
+    order::{FixedOrder, Orders, Search},
     sampled::{Sampled, with_texels},
     seen, source,
     texels::{Sampling, Texels},
@@ -43,6 +41,8 @@ pub struct Study {
     worst: [Worst; Visibility::ALL.len()],
     /// Whether one order of the triangles is right in all views.
     pub(super) order: Search,
+    /// An order within parts that planes keep apart, if one is sought and found.
+    pub(super) part_order: Option<FixedOrder>,
     /// Whether light of vertices differs from that of triangles, and by how many degrees of their
     /// normals.
     pub normal_degrees: f64,
@@ -118,9 +118,8 @@ impl Study {
         let eye = seen::Eye { mesh: &mesh, lens: lens.perspective, size: request.display };
         let shape = convex::shape(&model);
         let has_holes = model.textures.as_ref().is_some_and(|textures| textures.alpha.is_some());
-        let arcs =
-            (shape != Shape::Convex && !has_holes).then(|| Arcs::new(eye.mesh.triangle_count()));
-        let mut seen = look(&model, &eye, request, &views, arcs, &mut step)?;
+        let orders = (shape != Shape::Convex && !has_holes).then(|| Orders::new(&model));
+        let mut seen = look(&model, &eye, request, &views, orders, &mut step)?;
         let sampling = match seen.sampling {
             Some(seen) => Some(Sampled::new(&model, path, &options, seen)?),
             None => None,
@@ -136,6 +135,7 @@ impl Study {
             work: seen.work,
             worst: seen.worst,
             order: Search::Unneeded,
+            part_order: None,
             normal_degrees,
             depth_range: lens.range,
             clips: lens.reach_px >= GUARD_PX,
@@ -150,29 +150,68 @@ impl Study {
         };
         if has_holes {
             study.order = Search::Holes;
-        } else if !study.is_right(Visibility::MeshOrder) {
-            study.find_order(&model, &eye, seen.arcs, seen.cycle)?;
+        } else if let Some(orders) = seen.orders.filter(|_| !study.is_right(Visibility::MeshOrder))
+        {
+            study.find_order(&model, &eye, orders)?;
         }
         Ok(study)
     }
 
-    /// Looks for an order of the triangles that is right in all views, and judges it.
+    /// Looks for an order of the triangles that is right in all views, and judges it; if there is
+    /// none, for one within parts.
     fn find_order(
         &mut self,
         model: &Model,
         eye: &seen::Eye<'_>,
-        arcs: Option<Arcs>,
-        cycle: Option<Cycle>,
+        orders: Orders,
     ) -> Result<(), ViewError> {
-        if let Some(cycle) = cycle {
-            self.order = Search::Cycle(cycle);
-        } else if let Some(order) = arcs.and_then(|arcs| FixedOrder::new(model, &arcs)) {
-            let (request, place) = (&self.request, place(Visibility::FixedOrder));
-            let views = request.views.judging(request.distance);
-            self.worst[place] = order.judge(model, eye, request.core.subpixel(), &views)?;
-            self.order = Search::Found(order);
+        let (within_parts, whole) = orders.into_parts(model);
+        match whole.arcs() {
+            Err(cycle) => self.order = Search::Cycle(cycle),
+            Ok(arcs) => {
+                if let Some(order) = FixedOrder::new(model, &arcs, None) {
+                    self.judge(model, eye, &order, Visibility::FixedOrder)?;
+                    self.order = Search::Found(order);
+                }
+            }
+        }
+        if let Some(order) = within_parts.filter(|_| !self.is_right(Visibility::FixedOrder)) {
+            self.judge(model, eye, &order, Visibility::PartOrder)?;
+            self.part_order = Some(order);
         }
         Ok(())
+    }
+
+    /// Judges an order.
+    fn judge(
+        &mut self,
+        model: &Model,
+        eye: &seen::Eye<'_>,
+        order: &FixedOrder,
+        visibility: Visibility,
+    ) -> Result<(), ViewError> {
+        let request = &self.request;
+        let views = request.views.judging(request.distance);
+        self.worst[place(visibility)] = order.judge(model, eye, request.core.subpixel(), &views)?;
+        Ok(())
+    }
+
+    /// The order of the tables that a way to decide visibility needs, if it is another one than the
+    /// converter's and there is one.
+    pub(super) const fn order_of(&self, visibility: Visibility) -> Option<&FixedOrder> {
+        match (visibility, &self.order) {
+            (Visibility::FixedOrder, Search::Found(order)) => Some(order),
+            (Visibility::PartOrder, _) => self.part_order.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// Whether a way to decide visibility is right from wherever the model is seen.
+    pub(super) fn is_proven(&self, visibility: Visibility) -> bool {
+        match visibility {
+            Visibility::MeshOrder => self.shape == Shape::Convex,
+            _ => self.order_of(visibility).is_some_and(FixedOrder::is_proven),
+        }
     }
 
     /// Whether the planned renderer has light of vertices: as asked for, or because that of
@@ -192,18 +231,25 @@ impl Study {
     /// is behind, which only depth buffers know.
     #[must_use]
     pub fn is_right(&self, visibility: Visibility) -> bool {
-        let is_convex = visibility == Visibility::MeshOrder && self.shape == Shape::Convex;
         let is_within = self.worst(visibility).part <= self.request.wrong_part;
-        let exists = visibility != Visibility::FixedOrder || matches!(self.order, Search::Found(_));
-        (is_convex || is_within && exists) && !(self.has_holes && visibility.depth_bytes() == 0)
+        let exists = match visibility {
+            Visibility::FixedOrder | Visibility::PartOrder => self.order_of(visibility).is_some(),
+            _ => true,
+        };
+        (self.is_proven(visibility) || is_within && exists)
+            && !(self.has_holes && visibility.depth_bytes() == 0)
     }
 
     /// The ways to decide visibility that are worth a thought: another order than that of the mesh
-    /// is not, if that is right or none helps.
+    /// is not, if that is right or none helps; and parts only if there are some.
     pub(super) fn considered(&self) -> impl Iterator<Item = Visibility> {
         let is_sought = matches!(self.order, Search::Found(_) | Search::Cycle(_));
-        let is_considered = move |v: &Visibility| is_sought || *v != Visibility::FixedOrder;
-        Visibility::ALL.into_iter().filter(is_considered)
+        let has_parts = self.part_order.is_some();
+        Visibility::ALL.into_iter().filter(move |visibility| match visibility {
+            Visibility::FixedOrder => is_sought,
+            Visibility::PartOrder => has_parts,
+            _ => true,
+        })
     }
 
     /// Where colours come from, for all ways that are right.
@@ -233,11 +279,9 @@ impl Study {
         let size = self.sampling.as_ref().map(|sampling| sampling.sizes[1]);
         let columns = (types.is_smooth, types.paint);
         let model = converted(&self.path, &self.options, columns, size)?;
-        Ok(match &self.order {
-            Search::Found(order) if types.visibility == Visibility::FixedOrder => {
-                order.applied(model)
-            }
-            _ => model,
+        Ok(match self.order_of(types.visibility) {
+            Some(order) => order.applied(model),
+            None => model,
         })
     }
 
@@ -329,35 +373,33 @@ struct SeenInAll {
     work: Vec<Work>,
     worst: [Worst; Visibility::ALL.len()],
     sampling: Option<Sampling>,
-    /// What each view adds to the arcs, until they have a cycle.
-    arcs: Option<Arcs>,
-    cycle: Option<Cycle>,
+    orders: Option<Orders>,
 }
 
-/// Looks at a model in all views. Without `arcs` no order of the triangles is sought.
+/// Looks at a model in all views. Without `orders` no order of the triangles is sought.
 fn look(
     model: &Model,
     eye: &seen::Eye<'_>,
     request: &Request,
     views: &[Placed],
-    arcs: Option<Arcs>,
+    orders: Option<Orders>,
     step: &mut impl FnMut(usize),
 ) -> Result<SeenInAll, PlanError> {
     let coordinates = Texels::new(model, request.focal_length_px());
     let sampling = coordinates.as_ref().map(|_| Sampling::default());
-    let mut all = SeenInAll { sampling, arcs, ..SeenInAll::default() };
+    let mut all = SeenInAll { sampling, orders, ..SeenInAll::default() };
     let precision = request.core.subpixel();
     for (number, view) in views.iter().enumerate() {
         let seen = eye.look(precision, view)?;
         for (worst, wrong) in all.worst.iter_mut().zip(seen.wrong) {
             *worst = worst.or_worse(Worst::new(number, wrong, seen.shown));
         }
-        if let Some(arcs) = all.arcs.as_mut().filter(|_| all.cycle.is_none()) {
-            eye.add_arcs(precision, (number as u32, view), &seen.faces, arcs)?;
+        if let Some(orders) = all.orders.as_mut().filter(|orders| !orders.are_refused()) {
+            eye.add_arcs(precision, (number as u32, view), &seen.faces, orders)?;
             // What has a cycle has it in few views: arcs of all of them take time and memory.
             let count = number + 1;
             if count.is_power_of_two() || count == views.len() {
-                all.cycle = arcs.cycle();
+                orders.check();
             }
         }
         if let (Some(coordinates), Some(sampling)) = (&coordinates, &mut all.sampling) {

@@ -22,6 +22,9 @@ pub enum Visibility {
     MeshOrder,
     /// Another order of the tables, which is right in all views: no depth buffer, no sorting.
     FixedOrder,
+    /// Parts that planes keep apart, from back to front; each in an order of the tables that is
+    /// right in all views: no depth buffer, no sorting.
+    PartOrder,
     /// Triangles from back to front, by the distance of their middles: no depth buffer.
     Sorted,
     /// A depth buffer of 16 bits.
@@ -34,13 +37,20 @@ pub enum Visibility {
 
 impl Visibility {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::MeshOrder, Self::FixedOrder, Self::Sorted, Self::U16, Self::Float16, Self::U32];
+    pub const ALL: [Self; 7] = [
+        Self::MeshOrder,
+        Self::FixedOrder,
+        Self::PartOrder,
+        Self::Sorted,
+        Self::U16,
+        Self::Float16,
+        Self::U32,
+    ];
 
     /// The type of depths, as Rust.
     pub(super) const fn depth(self) -> &'static str {
         match self {
-            Self::MeshOrder | Self::FixedOrder | Self::Sorted => "NoDepth",
+            Self::MeshOrder | Self::FixedOrder | Self::PartOrder | Self::Sorted => "NoDepth",
             Self::U16 => "u16",
             Self::Float16 => "FloatDepth",
             Self::U32 => "u32",
@@ -59,7 +69,7 @@ impl Visibility {
     #[must_use]
     pub const fn depth_bytes(self) -> u32 {
         match self {
-            Self::MeshOrder | Self::FixedOrder | Self::Sorted => 0,
+            Self::MeshOrder | Self::FixedOrder | Self::PartOrder | Self::Sorted => 0,
             Self::U16 | Self::Float16 => 2,
             Self::U32 => 4,
         }
@@ -71,6 +81,7 @@ impl Visibility {
         match self {
             Self::MeshOrder => "no depth, mesh order",
             Self::FixedOrder => "no depth, fixed order",
+            Self::PartOrder => "no depth, parts by planes",
             Self::Sorted => "no depth, sorted",
             Self::U16 => "16-bit depth",
             Self::Float16 => "16-bit floating depth",
@@ -165,8 +176,8 @@ pub struct Types {
 }
 
 /// What decides which tables of a model are read: whether light is smooth, where colours come from,
-/// and whether the order of the triangles is another one than the converter's.
-pub(super) type Tables = (bool, Paint, bool);
+/// and which order the triangles have, if it is not the converter's.
+pub(super) type Tables = (bool, Paint, Option<Visibility>);
 
 impl Types {
     /// All whose costs are measured; those of [others](super::Costs::of) follow from them.
@@ -178,7 +189,7 @@ impl Types {
     }
 
     fn is_measured(&self) -> bool {
-        if self.visibility == Visibility::FixedOrder {
+        if *self != self.same_code() {
             false
         } else if self.clips {
             *self == Self { clips: true, ..self.clipped_model() }
@@ -210,18 +221,22 @@ impl Types {
     /// The simplest renderer of the same shader, with depth or without.
     pub(super) const fn base(self) -> Self {
         let visibility = match self.visibility {
-            Visibility::MeshOrder | Visibility::FixedOrder | Visibility::Sorted => {
-                Visibility::MeshOrder
-            }
+            Visibility::MeshOrder
+            | Visibility::FixedOrder
+            | Visibility::PartOrder
+            | Visibility::Sorted => Visibility::MeshOrder,
             Visibility::U16 | Visibility::Float16 | Visibility::U32 => Visibility::U16,
         };
         Self { visibility, ..self.whole_and_stored() }
     }
 
-    /// The same code: what differs between orders of the tables is in the tables alone.
+    /// The same code: what differs between orders of the tables is in the tables alone, and what
+    /// [parts](super::costs::PartCost) take more is added to it.
     pub(super) const fn same_code(self) -> Self {
         match self.visibility {
-            Visibility::FixedOrder => Self { visibility: Visibility::MeshOrder, ..self },
+            Visibility::FixedOrder | Visibility::PartOrder => {
+                Self { visibility: Visibility::MeshOrder, ..self }
+            }
             _ => self,
         }
     }
@@ -294,7 +309,11 @@ impl Types {
             Paint::Textures(_, texels) => Paint::Textures(Correction::Adaptive, texels),
             paint => paint,
         };
-        (self.is_smooth, paint, matches!(self.visibility, Visibility::FixedOrder))
+        let order = match self.visibility {
+            Visibility::FixedOrder | Visibility::PartOrder => Some(self.visibility),
+            _ => None,
+        };
+        (self.is_smooth, paint, order)
     }
 
     /// Bytes of a vertex in memory: x, y, depth, and the varyings of the shader.
@@ -377,6 +396,7 @@ impl fmt::Display for Types {
         let visibility = match self.visibility {
             Visibility::MeshOrder => "unordered",
             Visibility::FixedOrder => "fixed-order",
+            Visibility::PartOrder => "part-order",
             Visibility::Sorted => "sorted",
             Visibility::U16 => "u16",
             Visibility::Float16 => "float16",

@@ -62,6 +62,8 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         ("teapot", Foreign, M0plus, [240, 240], 48, turntable()),
         // Three beams, each over one of its neighbours and under the other: no order is right.
         ("crossing", Stiff(crossing), M0plus, [320, 240], 64, few()),
+        // Four blocks on a plate: no order is right, but planes keep them apart.
+        ("blocks", Stiff(blocks), M0plus, [320, 240], 64, turntable()),
         // Two plates a thousandth of their width apart.
         ("plates", Stiff(plates), M4, [320, 240], 200, turntable()),
         // Slivers of 1:300.
@@ -185,6 +187,29 @@ fn crossing() -> String {
         boxed(&mut text, &mut number, corners);
     }
     text
+}
+
+fn blocks() -> String {
+    let (mut text, mut number) = (String::new(), 0);
+    let places = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]];
+    for (block, [x, z]) in places.into_iter().enumerate() {
+        let _ = writeln!(text, "usemtl {block}");
+        let height = 0.3 + 0.15 * block as f64;
+        boxed(&mut text, &mut number, upright([x, -0.5, z], [0.3, height, 0.3]));
+    }
+    text += "usemtl plate\n";
+    boxed(&mut text, &mut number, upright([0.0, -0.6, 0.0], [1.0, 0.1, 1.0]));
+    text
+}
+
+/// The corners of a box that stands at a point, by half its widths and its height.
+fn upright(at: [f64; 3], [width, height, depth]: [f64; 3]) -> [[f64; 3]; 8] {
+    std::array::from_fn(|corner| {
+        let is_far = |axis: usize| corner >> axis & 1 == 1;
+        let side = |axis: usize, half: f64| if is_far(axis) { half } else { -half };
+        let up = if is_far(1) { height } else { 0.0 };
+        [at[0] + side(0, width), at[1] + up, at[2] + side(2, depth)]
+    })
 }
 
 fn plates() -> String {
