@@ -1,5 +1,6 @@
-//! One order of the triangles that is right in all views, if there is one, for the whole mesh or for
-//! each of its parts: the tables in flash have it, and a renderer needs neither depth nor sorting.
+//! One order of the triangles that is right in all views, if there is one, for the whole mesh or
+//! for each of its parts: the tables in flash have it, and a renderer needs neither depth nor
+//! sorting.
 
 use std::collections::{HashMap, VecDeque};
 

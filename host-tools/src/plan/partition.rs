@@ -43,7 +43,7 @@ impl Partition {
         (found.parts.len() > 1).then_some(found)
     }
 
-    /// Adds the parts of a set of triangles, at most so many.
+    /// Adds the parts of a set of triangles, up to a number of them.
     fn divide(&mut self, triangles: &[Corners], set: Vec<usize>, most: usize) {
         let corners: Vec<Corners> = set.iter().map(|&number| triangles[number]).collect();
         let is_convex = convex::is_below_all(&corners);
