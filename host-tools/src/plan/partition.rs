@@ -69,7 +69,7 @@ impl Partition {
     }
 
     /// How many parts there are.
-    pub(super) fn count(&self) -> usize {
+    pub(super) const fn count(&self) -> usize {
         self.parts.len()
     }
 
@@ -282,7 +282,7 @@ fn plane_within([low, high]: [[i16; 3]; 2], way: [f64; 3], at: f64) -> Option<Co
 
 #[cfg(test)]
 mod tests {
-    use std::fmt::Write as _;
+    use std::{f64::consts::TAU, fmt::Write as _};
 
     use super::*;
     use crate::{model::Options, reference::random::Random};
@@ -410,7 +410,7 @@ mod tests {
         for _ in 0..200 {
             let mut obj = String::new();
             for at in [[0.0; 3], [0; 3].map(|_| random.real(-2.0, 2.0))] {
-                let [a, b, c] = [0; 3].map(|_| random.real(0.0, 6.28_f64).sin_cos());
+                let [a, b, c] = [0; 3].map(|_| random.real(0.0, TAU).sin_cos());
                 let rows = [
                     [a.1 * b.1, a.1 * b.0 * c.0 - a.0 * c.1, a.1 * b.0 * c.1 + a.0 * c.0],
                     [a.0 * b.1, a.0 * b.0 * c.0 + a.1 * c.1, a.0 * b.0 * c.1 - a.1 * c.0],
