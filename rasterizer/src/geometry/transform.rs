@@ -308,20 +308,19 @@ impl<P: Projection> Transform<P> {
     /// is negative, as y runs downwards.
     #[inline(never)]
     pub(crate) fn is_in_front_of<C: Coordinate>(&self, points: &[[i16; 3]; 3]) -> bool {
-        let [a, b, c] = points.map(|point| {
+        let [mut a, b, c] = points.map(|point| {
             let [x, y, z] = self.object_to_clip_outlined::<C>(point).map(C::units);
             [x, y, self.lens.w(z)]
         });
         // Below 2^30 each, so that differences fit 32 bits, and products of two of them 62.
-        let u: [i64; 3] = array::from_fn(|i| i64::from(b[i] - a[i]));
-        let v: [i64; 3] = array::from_fn(|i| i64::from(c[i] - a[i]));
+        let [mut u, mut v] = [b, c].map(|other| array::from_fn(|i| other[i] - a[i]));
         let mut determinant = Float::ZERO;
-        for (i, &coordinate) in a.iter().enumerate().take(codegen::unknown(3)) {
-            // The place after i, and that after it.
-            let j = (1 << i) & 3;
-            let k = 3 - i - j;
-            let product = Float::new(u[j] * v[k] - u[k] * v[j], 0);
-            determinant = determinant.plus(product.times(Float::new(coordinate.into(), 0)));
+        // codegen: rotated, because indices that a compiler does not know have panics.
+        for _ in 0..codegen::unknown(3) {
+            let [[first, ..], [_, j, k], [_, l, m]] = [a, u, v];
+            let minor = i64::from(j) * i64::from(m) - i64::from(k) * i64::from(l);
+            determinant = determinant.plus(Float::new(minor, 0).times(Float::new(first.into(), 0)));
+            [a, u, v] = [a, u, v].map(|[x, y, z]| [y, z, x]);
         }
         determinant.mantissa < 0
     }
