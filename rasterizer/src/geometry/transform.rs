@@ -308,10 +308,12 @@ impl<P: Projection> Transform<P> {
     /// is negative, as y runs downwards.
     #[inline(never)]
     pub(crate) fn is_in_front_of<C: Coordinate>(&self, points: &[[i16; 3]; 3]) -> bool {
-        let [mut a, b, c] = points.map(|point| {
+        let in_clip_space = |point| {
             let [x, y, z] = self.object_to_clip_outlined::<C>(point).map(C::units);
             [x, y, self.lens.w(z)]
-        });
+        };
+        let [a, b, c] = *points;
+        let (mut a, b, c) = (in_clip_space(a), in_clip_space(b), in_clip_space(c));
         // Below 2^30 each, so that differences fit 32 bits, and products of two of them 62.
         let [mut u, mut v] = [b, c].map(|other| array::from_fn(|i| other[i] - a[i]));
         let mut determinant = Float::ZERO;

@@ -152,25 +152,29 @@ impl<'a> Parts<'a> {
         &self,
         is_in_front: impl Fn(&SeparatingPlane) -> bool,
     ) -> [u8; MOST] {
-        // How many parts are drawn before each: in a tree of planes all pairs are told apart.
-        let mut places = [0_u8; MOST];
-        for plane in self.planes {
-            let [first, middle, end] = plane.ends;
-            let (later, count) = if is_in_front(plane) {
-                (first..middle, end - middle)
-            } else {
-                (middle..end, middle - first)
-            };
-            for part in later {
-                if let Some(place) = places.get_mut(usize::from(part)) {
-                    *place += count;
-                }
-            }
+        // A bit for each plane, the first one's lowest.
+        let mut sides = 0_u32;
+        for plane in self.planes.iter().rev() {
+            sides = sides << 1 | u32::from(is_in_front(plane));
         }
         let mut order = [0; MOST];
-        for (part, &place) in places.iter().enumerate().take(self.count()) {
+        for part in 0..self.count() as u8 {
+            // How many parts are drawn before it: in a tree of planes all pairs are told apart.
+            let (mut place, mut rest) = (0, sides);
+            for plane in self.planes {
+                let [first, middle, end] = plane.ends;
+                let (later, count) = if rest & 1 == 1 {
+                    (first..middle, end - middle)
+                } else {
+                    (middle..end, middle - first)
+                };
+                if later.contains(&part) {
+                    place += count;
+                }
+                rest >>= 1;
+            }
             if let Some(slot) = order.get_mut(usize::from(place)) {
-                *slot = part as u8;
+                *slot = part;
             }
         }
         order
