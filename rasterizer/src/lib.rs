@@ -175,7 +175,7 @@
 //! | dithering | a wrapper of the shader, or of the display | [`Dithered`](shade::Dithered), [`Dithering`](output::Dithering) |
 //! | byte order of a pixel | the shader's colour type | [`Rgb565Be`](output::Rgb565Be), in SPI order and filled by words, or [any other](output::StoredColor) |
 //! | vertices stored or not | a method of the object | [`project`](scene::Object::project), [`project_on_demand`](scene::Object::project_on_demand) |
-//! | order of triangles | a step before drawing | [`MeshOrder`](scene::MeshOrder), [`Bins`](scene::Bins) by [`Projected::binned`](scene::Projected::binned), or [`BackToFront`](scene::BackToFront) by [`Projected::back_to_front`](scene::Projected::back_to_front); several objects by [`Painter`](scene::Painter) |
+//! | order of triangles | a step before drawing | [`MeshOrder`](scene::MeshOrder), [`Bins`](scene::Bins) by [`Projected::binned`](scene::Projected::binned), [`InParts`](scene::InParts) by [`Projected::in_parts`](scene::Projected::in_parts), or [`BackToFront`](scene::BackToFront) by [`Projected::back_to_front`](scene::Projected::back_to_front); several objects by [`Painter`](scene::Painter) |
 //! | destination | the target's type | [`Frame`](output::Frame), [`Bands`](output::Bands) of it, [`Direct`](output::Direct) |
 //! | pixels of less than a byte | the target's type | [`PackedFrame`](output::PackedFrame), [`Bands::packed`](output::Bands::packed); [`InRows`](output::InRows) or [`InPages`](output::InPages) |
 //! | pixels that may change | a wrapper of the target | all of it, or those in a rectangle: [`Scissored`](output::Scissored) |

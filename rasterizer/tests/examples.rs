@@ -67,6 +67,7 @@ examples! {
     own_shader = "../examples/own_shader.rs",
     painter = "../examples/painter.rs",
     particles = "../examples/particles.rs",
+    parts = "../examples/parts.rs",
     per_object = "../examples/per_object.rs",
     perspective_modes = "../examples/perspective_modes.rs",
     points = "../examples/points.rs",

@@ -41,6 +41,7 @@ mod object_lines;
 mod packed_frames;
 mod painter;
 mod particles;
+mod parts;
 mod perspective;
 mod picking;
 mod pictures;
