@@ -42,6 +42,7 @@ mod packed_frames;
 mod painter;
 mod particles;
 mod parts;
+mod parts_sides;
 mod perspective;
 mod picking;
 mod pictures;
