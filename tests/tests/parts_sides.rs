@@ -98,7 +98,7 @@ fn sides_are_exact<S: Subpixel>(seed: u64, is_perspective: bool) {
         let normal = cross(minus(b, a), minus(c, a));
         let longest = [minus(b, a), minus(c, b), minus(a, c)].map(length);
         let longest = longest.into_iter().fold(0.0, f64::max);
-        // On a line, as far as f64 can tell.
+        // On a line, for f64.
         if length(normal) <= longest * longest * 1e-9 {
             continue;
         }

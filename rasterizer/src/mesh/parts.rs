@@ -22,10 +22,10 @@ impl SeparatingPlane {
     /// The farther the points are from each other, the better: with h the least height of their
     /// triangle, and d the distance of the farthest of the mesh from the viewer, the side on which
     /// the viewer stands is known if it is more than 2<sup>-19</sup> d² / h from the plane, times
-    /// 1,024 / f if the focal length f is less than 1,024 pixels. In a parallel projection, the sine
-    /// of the angle between the view and the plane must be more than 2<sup>-20</sup> g / h, where g
-    /// is the mesh's size or 1,024 pixels, whichever is more. Nearer to it, the plane is seen from
-    /// its edge, and parts that do not touch it do not overlap.
+    /// 1,024 / f if the focal length f is less than 1,024 pixels. In a parallel projection, the
+    /// sine of the angle between the view and the plane must be more than 2<sup>-20</sup> g / h,
+    /// where g is the mesh's size or 1,024 pixels, whichever is more. Nearer to it, the plane is
+    /// seen from its edge, and parts that do not touch it do not overlap.
     #[must_use]
     pub const fn new(points: [[i16; 3]; 3], [first, middle, end]: [u8; 3]) -> Self {
         Self { points, ends: [first, middle, end] }
