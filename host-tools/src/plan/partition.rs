@@ -39,15 +39,17 @@ impl Partition {
     pub(super) fn of(model: &Model) -> Option<Self> {
         let triangles = convex::triangles(model);
         let mut found = Self { is_convex: true, ..Self::default() };
-        found.divide(&triangles, (0..triangles.len()).collect(), Parts::MOST);
+        let mesh = (&triangles[..], bounds(triangles.as_flattened()));
+        found.divide(mesh, (0..triangles.len()).collect(), Parts::MOST);
         (found.parts.len() > 1).then_some(found)
     }
 
-    /// Adds the parts of a set of triangles, up to a number of them.
-    fn divide(&mut self, triangles: &[Corners], set: Vec<usize>, most: usize) {
+    /// Adds the parts of a set of a mesh's triangles, up to a number of them.
+    fn divide(&mut self, mesh: (&[Corners], Bounds), set: Vec<usize>, most: usize) {
+        let (triangles, bounds) = mesh;
         let corners: Vec<Corners> = set.iter().map(|&number| triangles[number]).collect();
         let is_convex = convex::is_below_all(&corners);
-        let found = if is_convex || most < 2 { None } else { best_plane(&corners) };
+        let found = if is_convex || most < 2 { None } else { best_plane(&corners, bounds) };
         let Some((points, is_behind)) = found else {
             self.is_convex &= is_convex;
             self.parts.push(set);
@@ -62,9 +64,9 @@ impl Partition {
         // Its place is before those of its sides, whose numbers of parts are not known yet.
         let (place, first) = (self.planes.len(), self.parts.len());
         self.planes.push(Plane { points, parts: [0; 3] });
-        self.divide(triangles, front, for_front);
+        self.divide(mesh, front, for_front);
         let middle = self.parts.len();
-        self.divide(triangles, behind, most - (middle - first));
+        self.divide(mesh, behind, most - (middle - first));
         self.planes[place].parts = [first, middle, self.parts.len()].map(|part| part as u8);
     }
 
@@ -104,13 +106,16 @@ impl Partition {
     }
 }
 
+/// The least and the greatest coordinates of a mesh, within which [`Parts`] wants planes' points.
+type Bounds = [[i16; 3]; 2];
+
 /// The plane that divides triangles most evenly, and for each triangle whether it lies behind it.
-fn best_plane(triangles: &[Corners]) -> Option<(Corners, Vec<bool>)> {
+fn best_plane(triangles: &[Corners], bounds: Bounds) -> Option<(Corners, Vec<bool>)> {
     let larger_side = |(_, is_behind): &(Corners, Vec<bool>)| {
         let behind = is_behind.iter().filter(|&&behind| behind).count();
         behind.max(is_behind.len() - behind)
     };
-    let candidates = between_bodies(triangles).into_iter().chain(planes_of(triangles));
+    let candidates = between_bodies(triangles, bounds).into_iter().chain(planes_of(triangles));
     let dividing = candidates.filter_map(|points| Some((points, sides(triangles, points)?)));
     dividing.min_by_key(larger_side)
 }
@@ -145,16 +150,15 @@ fn planes_of(triangles: &[Corners]) -> impl Iterator<Item = Corners> {
 
 /// Planes between bodies that do not touch: at right angles to the axes, and to the shortest way
 /// between two of them.
-fn between_bodies(triangles: &[Corners]) -> Vec<Corners> {
+fn between_bodies(triangles: &[Corners], bounds: Bounds) -> Vec<Corners> {
     let bodies = bodies(triangles);
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     let pairs =
         bodies.iter().enumerate().flat_map(|(i, a)| bodies[..i].iter().map(move |b| (a, b)));
     let ways = pairs.take(MOST_PAIRS).filter_map(|(a, b)| way_between(a, b));
-    let [low, high] = bounds(bodies.iter().flatten());
     let gaps = |way: [f64; 3]| gaps_along(&bodies, way).into_iter().map(move |at| (way, at));
     let planes = axes.into_iter().chain(ways).flat_map(gaps);
-    planes.filter_map(|(way, at)| plane_within([low, high], way, at)).collect()
+    planes.filter_map(|(way, at)| plane_within(bounds, way, at)).collect()
 }
 
 /// The points of triangles that are joined by common points.
@@ -198,7 +202,7 @@ fn along(way: [f64; 3], point: [i16; 3]) -> f64 {
 /// set*, 1966).
 fn way_between(a: &[[i16; 3]], b: &[[i16; 3]]) -> Option<[f64; 3]> {
     /// It nears the shortest way by a part of the rest in each step.
-    const STEPS: usize = 200;
+    const STEPS: usize = 2_000;
     /// The part of the shortest way that is enough.
     const ENOUGH: f64 = 0.9;
     let minus = |b: [i16; 3], a: [i16; 3]| difference(b, a).map(|c| c as f64);
@@ -251,8 +255,8 @@ fn gaps_along(bodies: &[Vec<[i16; 3]>], way: [f64; 3]) -> Vec<f64> {
     gaps
 }
 
-fn bounds<'p>(points: impl Iterator<Item = &'p [i16; 3]>) -> [[i16; 3]; 2] {
-    points.fold([[i16::MAX; 3], [i16::MIN; 3]], |[low, high], point| {
+fn bounds(points: &[[i16; 3]]) -> Bounds {
+    points.iter().fold([[i16::MAX; 3], [i16::MIN; 3]], |[low, high], point| {
         [
             std::array::from_fn(|i| low[i].min(point[i])),
             std::array::from_fn(|i| high[i].max(point[i])),
@@ -260,24 +264,28 @@ fn bounds<'p>(points: impl Iterator<Item = &'p [i16; 3]>) -> [[i16; 3]; 2] {
     })
 }
 
-/// Three points near the plane at right angles to a way, at this place along it: as far from each
-/// other as the bounds are wide, or less where they would not fit 16 bits.
-fn plane_within([low, high]: [[i16; 3]; 2], way: [f64; 3], at: f64) -> Option<Corners> {
-    let k = (0..3).max_by(|&i, &j| way[i].abs().total_cmp(&way[j].abs()))?;
-    let (i, j) = ((k + 1) % 3, (k + 2) % 3);
-    let middle = |axis: usize| f64::midpoint(low[axis].into(), high[axis].into());
-    let half = |axis: usize| (f64::from(high[axis]) - f64::from(low[axis])).max(256.0) / 2.0;
-    let point = |[across, up]: [f64; 2]| {
-        let mut point = [0.0; 3];
-        point[i] = (middle(i) + across * half(i)).round();
-        point[j] = (middle(j) + up * half(j)).round();
-        point[k] = ((at - way[i] * point[i] - way[j] * point[j]) / way[k]).round();
-        let fits = |&c: &f64| (-32_768.0..=32_767.0).contains(&c);
-        point.iter().all(fits).then(|| point.map(|c| c as i16))
-    };
-    [1.0, 0.5, 0.25, 0.125]
-        .into_iter()
-        .find_map(|part| Some([point([-part, -part])?, point([part, -part])?, point([0.0, part])?]))
+/// Three points near the plane at right angles to a way, at this place along it: of those in which
+/// it meets the edges of the bounds, those of the largest triangle.
+fn plane_within([low, high]: Bounds, way: [f64; 3], at: f64) -> Option<Corners> {
+    let mut met = Vec::new();
+    for k in 0..3 {
+        let (i, j) = ((k + 1) % 3, (k + 2) % 3);
+        for [x, y] in [[low[i], low[j]], [low[i], high[j]], [high[i], low[j]], [high[i], high[j]]] {
+            let across = way[i] * f64::from(x) + way[j] * f64::from(y);
+            let along = ((at - across) / way[k]).round();
+            if (f64::from(low[k])..=f64::from(high[k])).contains(&along) {
+                let mut point = [0; 3];
+                (point[i], point[j], point[k]) = (x, y, along as i16);
+                met.push(point);
+            }
+        }
+    }
+    let area =
+        |&triangle: &Corners| -> f64 { cross(triangle).iter().map(|&c| (c as f64).powi(2)).sum() };
+    let pairs = (0..met.len()).flat_map(|b| (0..b).map(move |a| [a, b]));
+    let all =
+        pairs.flat_map(|[a, b]| met[..a].iter().map(|&c| [met[a], met[b], c]).collect::<Vec<_>>());
+    all.max_by(|a, b| area(a).total_cmp(&area(b)))
 }
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! The parts of a mesh, and planes that lie between them: from where the viewer stands follows
 //! which parts hide which.
 
-use super::Mesh;
+use super::{BoundingBox, Mesh};
+use crate::numbers::codegen::{self, keep_rolled};
 
 /// A plane with some consecutive parts of a mesh in front of it, and those that follow behind it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -17,7 +18,7 @@ impl SeparatingPlane {
     /// from in front of it. Parts `first..middle` lie in front of it, parts `middle..end` behind
     /// it; both may touch it.
     ///
-    /// The points must lie in the [box](Mesh::bounds) of the mesh: beyond it, numbers may overflow.
+    /// The points must lie in the [box](Mesh::bounds) of the mesh.
     ///
     /// The farther the points are from each other, the better: with h the least height of their
     /// triangle, and d the distance of the farthest of the mesh from the viewer, the side on which
@@ -110,6 +111,9 @@ impl<'a> Parts<'a> {
         }
         let mut plane = 0;
         while plane < planes.len() {
+            if !is_within(mesh.bounds(), &planes[plane].points) {
+                return Err(PartsError::Points { plane });
+            }
             if let Err(triangle) = separated(mesh, ends, &planes[plane]) {
                 return Err(PartsError::Side { plane, triangle });
             }
@@ -152,20 +156,26 @@ impl<'a> Parts<'a> {
     }
 
     /// The parts from back to front, given on which side of a plane the viewer is.
+    // codegen: not inlined and kept rolled, as it takes 700 bytes of 23 planes otherwise.
+    #[inline(never)]
     pub(crate) fn back_to_front(
         &self,
         is_in_front: impl Fn(&SeparatingPlane) -> bool,
     ) -> [u8; MOST] {
+        let (count, planes) = codegen::unknown((self.count(), self.planes));
         // A bit for each plane, the first one's lowest.
         let mut sides = 0_u32;
-        for plane in self.planes.iter().rev() {
+        for plane in planes.iter().rev() {
+            keep_rolled();
             sides = sides << 1 | u32::from(is_in_front(plane));
         }
         let mut order = [0; MOST];
-        for part in 0..self.count() as u8 {
+        for part in 0..count as u8 {
+            keep_rolled();
             // How many parts are drawn before it: in a tree of planes all pairs are told apart.
             let (mut place, mut rest) = (0, sides);
-            for plane in self.planes {
+            for plane in planes {
+                keep_rolled();
                 let [first, middle, end] = plane.ends;
                 let (later, count) = if rest & 1 == 1 {
                     (first..middle, end - middle)
@@ -208,6 +218,19 @@ const fn divided(
         Ok(next) => divided(planes, next, [middle, end]),
         Err(plane) => Err(plane),
     }
+}
+
+/// Whether points lie in a box: in clip space, numbers fit those in the box of the mesh.
+const fn is_within(bounds: &BoundingBox, points: &[[i16; 3]; 3]) -> bool {
+    let mut place = 0;
+    while place < 9 {
+        let (c, axis) = (points[place / 3][place % 3], place % 3);
+        if c < bounds.min[axis] || c > bounds.max[axis] {
+            return false;
+        }
+        place += 1;
+    }
+    true
 }
 
 /// Checks that triangles lie on their sides of a plane, or returns the first that does not. The
@@ -256,6 +279,11 @@ pub enum PartsError {
         /// The first plane at fault, from 0.
         plane: usize,
     },
+    /// A point of a plane lies outside the box of the mesh.
+    Points {
+        /// The plane's place, from 0.
+        plane: usize,
+    },
     /// A triangle does not lie on its side of a plane, or the plane's points lie on a line.
     Side {
         /// The plane's place, from 0.
@@ -275,6 +303,7 @@ impl PartsError {
             Self::Planes { .. } => {
                 "planes must divide all parts, then those in front, then those behind"
             }
+            Self::Points { .. } => "the points of a plane must lie in the box of the mesh",
             Self::Side { .. } => "a triangle lies on the wrong side of a plane, or across it",
         }
     }
@@ -284,7 +313,7 @@ impl core::fmt::Display for PartsError {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(self.message())?;
         match self {
-            Self::Planes { plane } => write!(f, " (plane {plane})"),
+            Self::Planes { plane } | Self::Points { plane } => write!(f, " (plane {plane})"),
             Self::Side { plane, triangle } => write!(f, " (plane {plane}, triangle {triangle})"),
             Self::Count | Self::Ends => Ok(()),
         }
@@ -370,6 +399,10 @@ mod tests {
         }
         sides(21, Err(PartsError::Side { plane: 0, triangle: 1 }));
         sides(9, Err(PartsError::Side { plane: 0, triangle: 2 }));
+        for outside in [[15, -1, 0], [15, 0, 10], [31, 0, 0]] {
+            let plane = SeparatingPlane::new([[15, 0, 0], outside, [15, 0, 9]], all.ends);
+            assert_eq!(of(&[plane, front, back]), PartsError::Points { plane: 0 });
+        }
         let line = SeparatingPlane::new([[15, 0, 0], [15, 1, 0], [15, 2, 0]], [0, 2, 4]);
         let side = PartsError::Side { plane: 0, triangle: 0 };
         assert_eq!(of(&[line, front, back]), side);

@@ -90,7 +90,8 @@ impl<O: TableOrder> Sequence for InParts<'_, O> {
         self.within.reach(window, viewport)
     }
 
-    #[inline(always)]
+    // codegen: not inlined, or its two loops take registers of what the caller does for each pixel.
+    #[inline(never)]
     fn for_each_run<E>(
         &self,
         tables: &Tables<'_>,
