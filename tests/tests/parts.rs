@@ -74,9 +74,13 @@ impl Grid {
         let first = self.ends.len() as u8;
         let middle = first + count(front);
 
-        let mut points = [[-12_000; 3]; 3];
-        points[1][(axis + 1) % 3] = 12_000;
-        points[2][(axis + 2) % 3] = 12_000;
+        // In the box of the mesh: the smallest body reaches as far from its middle.
+        let reach: [i16; 3] =
+            std::array::from_fn(|axis| self.place(axis, f64::from(self.size[axis] - 1)) + 2000);
+        let mut points = [reach.map(|reach| -reach); 3];
+        for (point, other) in [(1, (axis + 1) % 3), (2, (axis + 2) % 3)] {
+            points[point][other] = reach[other];
+        }
         let along = self.place(axis, f64::from(cut) - 0.5);
         points.iter_mut().for_each(|point| point[axis] = along);
         if !is_above {

@@ -128,15 +128,22 @@ fn sides_are_exact<S: Subpixel>(seed: u64, is_perspective: bool) {
             let lens = Perspective::new(Turn::degrees(degrees), near, far).unwrap();
             let camera = Camera::at(eye, rotation, lens, viewport).unwrap();
             let focal = f64::from(rows) / 2.0 / (f64::from(degrees).to_radians() / 2.0).tan();
-            // Measured: the farthest viewer on a wrong side is at 0.4 of it.
-            let bound = 2f64.powi(-19) * farthest.powi(2) / height * (1024.0 / focal).max(1.0);
+            // A coordinate is off by 4 of its units, an edge of the triangle by 8 in each: with
+            // edges up to l, the normal by 28 l, and the plane at a distance of d by 28 d / h. All
+            // that is in clip space, where d is 2^28 units or more, as no coordinate reaches 2^30,
+            // and where x and y, and so h, are f / 1,024 of what they are in the world; what is
+            // measured along them is as much more there. 28 x 2^-28 is 2^-23, and a plane that
+            // leans both ways has up to four times that.
+            let squeezed = (1024.0 / focal).max(1.0);
+            let bound = 2f64.powi(-21) * farthest.powi(2) / height * squeezed.powi(2);
             (dot(normal, minus(from, a)), stage.is_in_front::<S, _>(&camera), bound)
         } else {
             let high = distance(size * 4.0 * magnitude(&mut random, 8));
             let lens = Orthographic::new(high, near, far).unwrap();
             let camera = Camera::at(eye, rotation, lens, viewport).unwrap();
             let band = 1024.0 / f64::from(rows) * high.to_num::<f64>();
-            let bound = 2f64.powi(-20) * band.max(size) / height;
+            // In the same way, with the guard band for w.
+            let bound = 2f64.powi(-21) * band.max(size) / height;
             let back = rotated(&rotation, [0.0, 0.0, 1.0]);
             (dot(normal, back), stage.is_in_front::<S, _>(&camera), bound)
         };

@@ -141,7 +141,7 @@ impl<'a> Estimator<'a> {
 
     /// What parts take, for types that draw them.
     fn part_cost(&self, types: &Types) -> Option<PartCost> {
-        (self.planes(types) > 0).then(|| PartCost::of(self.study.request.core))
+        (self.planes(types) > 0).then(|| PartCost::of(self.study.request.core, types))
     }
 
     /// The bytes of the model's tables.

@@ -20,13 +20,13 @@ impl SeparatingPlane {
     ///
     /// The points must lie in the [box](Mesh::bounds) of the mesh.
     ///
-    /// The farther the points are from each other, the better: with h the least height of their
-    /// triangle, and d the distance of the farthest of the mesh from the viewer, the side on which
-    /// the viewer stands is known if it is more than 2<sup>-19</sup> d² / h from the plane, times
-    /// 1,024 / f if the focal length f is less than 1,024 pixels. In a parallel projection, the
-    /// sine of the angle between the view and the plane must be more than 2<sup>-20</sup> g / h,
-    /// where g is the mesh's size or 1,024 pixels, whichever is more. Nearer to it, the plane is
-    /// seen from its edge, and parts that do not touch it do not overlap.
+    /// The farther the points are from each other, the better. With h the least height of their
+    /// triangle, d the distance of the mesh's farthest point from the viewer, and the focal length
+    /// f in pixels, but 1,024 at most, the side on which the viewer stands is known if it is more
+    /// than 2<sup>-21</sup> d² / h (1,024 / f)² from the plane. In a parallel projection, the sine
+    /// of the angle between the view and the plane must be more than 2<sup>-21</sup> g / h, where g
+    /// is the mesh's size or 1,024 pixels, whichever is more. Nearer to it, the plane is seen from
+    /// its edge, and parts that do not touch it do not overlap.
     #[must_use]
     pub const fn new(points: [[i16; 3]; 3], [first, middle, end]: [u8; 3]) -> Self {
         Self { points, ends: [first, middle, end] }

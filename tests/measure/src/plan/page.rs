@@ -135,7 +135,8 @@ without, both with one-sided sheets in their opening, and a sheet alone, in 24 v
 far. All combinations are measured for one shader, and those without depth and sorting for the one
 that interpolates nothing; the others have what they differ by in the simplest renderer. A fixed order
 of the triangles has the code of the mesh's order; each further run of a material has an estimated
-price, which no scene judges. Flash and stack are those of that program. Cycles are a sum of what a
+price, which no scene judges. Parts that planes keep apart have it too, and what programs of 6 and 24
+boxes take more for them. Flash and stack are those of that program. Cycles are a sum of what a
 frame has of pixels, bands, vertices, triangles, rows, covered pixels and divisions of texture
 coordinates; their weights are fitted by least squares of relative errors. No model of this page is
 among those bodies. What a sliver takes more, whose gradients are divided exactly, is that of
@@ -147,9 +148,11 @@ takes is an estimate.
 - Mip levels and bilinear filters: the plan makes textures as small as they are seen instead.
 - small3dlib: it draws whole frames, without sub-pixels and light, so that no scene here is drawn
   alike. [Results](RESULTS.md) has its instructions beside those of bench scenes in the same view.
-- Convex parts by separating planes, and orders of the triangles for a part of the views each: one
-  order in flash must be right in all of them. Of four balls side by side on a turntable one is; of
-  four cubes none.
+- Orders of the triangles for a part of the views each: one order in flash must be right in all of
+  them, for the whole mesh or within each of its parts.
+- Parts by planes that cut triangles, parts of another number than the planes give (they divide until
+  no triangle of a part can hide another one, up to 32 parts), and bodies that touch along two edges
+  alone.
 - Cycles of few pixels: an order that breaks them could still show fewer wrong pixels than allowed.
 - A proof for all views of an orbit (cells of directions): random views bound the part that may fail.
   An order that is made from random views is judged by as many others.
