@@ -183,10 +183,11 @@ pub(super) struct PartCost {
 }
 
 impl PartCost {
-    /// By programs that draw 6 and 24 boxes in parts and in the order of the mesh, which are none of
-    /// the scenes of a plan. What is projected for a plane is linked for clipping, too. On a
-    /// Cortex-M4 and on RISC-V up to 100,000 cycles more or fewer are what the compiler makes of the
-    /// loop that sends pixels beside it: the weights are those of 24 boxes less those of 6.
+    /// By programs that draw 6 and 24 boxes in parts and in the order of the mesh, which are none
+    /// of the scenes of a plan. What is projected for a plane is linked for clipping, too. On a
+    /// Cortex-M4 and on RISC-V up to 100,000 cycles more or fewer are what the compiler makes of
+    /// the loop that sends pixels beside it: the weights are those of 24 boxes less those of 6 on
+    /// the Cortex-M4.
     pub(super) const fn of(core: Core, types: &Types) -> Self {
         let ([code, shared], stack_bytes, [plane, side]) = match core {
             Core::M0plus => ([1_250, 250], 150, [2_500.0, 60.0]),
