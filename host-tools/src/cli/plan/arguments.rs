@@ -28,9 +28,10 @@ A file of views has one in each line: turns about y, x and z in degrees, in this
 not that of --distance the camera's distance; # begins a comment.
 
 Which surface is seen is decided by the order of the mesh, if that is right in all views; by another
-order of the triangles in flash, if one is; by sorting in each frame; or by depth. If no order is right,
-a cycle of triangles that hide each other is named, by their numbers in the converted mesh from 0. An
-order for an orbit is made from its views and judged by as many others.
+order of the triangles in flash, if one is; by planes that keep parts of the mesh apart, from back to
+front; by sorting in each frame; or by depth. If no order is right, a cycle of triangles that hide each
+other is named, by their numbers in the converted mesh from 0. An order for an orbit is made from its
+views and judged by as many others.
 
 Use the file as a module of the firmware (`mod scene;`), give its memory to a static and draw:
 
