@@ -150,8 +150,16 @@ const fn is_empty_or(length: usize, partner: usize) -> bool {
 const fn indices(triangles: &Triangles<'_>, vertices: usize) -> Result<(), MeshError> {
     let mut triangle = 0;
     while triangle < triangles.len() {
-        let [a, b, c] = triangles.corners(triangle);
-        let in_range = a < vertices && b < vertices && c < vertices;
+        let in_range = match triangles {
+            Triangles::U8(t) => {
+                let [a, b, c] = t[triangle];
+                (a as usize) < vertices && (b as usize) < vertices && (c as usize) < vertices
+            }
+            Triangles::U16(t) => {
+                let [a, b, c] = t[triangle];
+                (a as usize) < vertices && (b as usize) < vertices && (c as usize) < vertices
+            }
+        };
         if !in_range {
             return Err(MeshError::IndexOutOfRange { triangle });
         }

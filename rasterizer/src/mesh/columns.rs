@@ -175,7 +175,7 @@ impl Triangles<'_> {
         self.len() == 0
     }
 
-    /// The vertex indices of a triangle that exists.
+    /// The vertex indices of a triangle, for constants: one that does not exist panics.
     pub(super) const fn corners(&self, index: usize) -> [usize; 3] {
         match self {
             Self::U8(triangles) => {
