@@ -58,8 +58,8 @@ fn call(scene: &Scene, choice: &Choice) -> String {
         Visibility::Painter => "",
     };
     let method = match (choice.arithmetic, choice.visibility, choice.samples) {
-        (Arithmetic::Float, ..) => "in_f32::<0, V>".into(),
-        (Arithmetic::FloatLevels, ..) => "in_f32::<64, V>".into(),
+        (Arithmetic::Float, ..) => "in_f32::<V>".into(),
+        (Arithmetic::FloatLevels, ..) => "in_f32_levels::<64, V>".into(),
         (_, Visibility::Painter, _) => format!("painted::<{subpixel}, _, V, T>"),
         (_, _, 1) => format!("frames::<{subpixel}, {depth}, _, V>"),
         (_, _, side) => {
