@@ -3,12 +3,13 @@
 //! It draws the same tables in the same view by the same light. Vertices are placed in pixels,
 //! depth is 1 / z, and a triangle is drawn span by span between its edges. A pixel belongs to the
 //! triangle that its middle lies in; on an edge, to the one on the right. A pixel's colour is
-//! computed from its level, or taken from a table of 64 levels as the library does.
+//! computed from its level, taken from a table of 64 levels as the library does, or a texel's.
 //!
 //! All of it is sums, products, quotients and conversions, which IEEE 754 defines to the last bit
 //! and Rust does not fuse: the pictures are the same on every core, with an FPU or without.
 
 mod paint;
+mod texture;
 mod triangle;
 
 use rasterizer::{
@@ -20,6 +21,7 @@ use rasterizer::{
 };
 
 use paint::{Computed, Paint, Ramp};
+use texture::{Covering, Every, EveryPixel, Skin};
 use triangle::Triangle;
 
 use super::{Choice, Memory, Shared, Shows};
@@ -65,6 +67,30 @@ impl Choice<'_> {
         memory: &Shared<Rgb565Be>,
     ) {
         let paint = |(_, material): (_, &Material)| Ramp::<LEVELS>::of(material);
+        self.floating::<_, _, VERTICES>(light, paint, background, memory);
+    }
+
+    /// The same with the textures of the mesh's materials, and a division at each pixel.
+    pub fn textured_in_f32<S: Covering, const VERTICES: usize>(
+        &self,
+        textures: &[S],
+        light: &Light,
+        background: Rgb565Be,
+        memory: &Shared<Rgb565Be>,
+    ) {
+        let paint = |material: (_, &_)| EveryPixel(Skin::of(textures, material));
+        self.floating::<_, _, VERTICES>(light, paint, background, memory);
+    }
+
+    /// The same with a division every `PIXELS` pixels.
+    pub fn textured_in_f32_every<S: Covering, const PIXELS: usize, const VERTICES: usize>(
+        &self,
+        textures: &[S],
+        light: &Light,
+        background: Rgb565Be,
+        memory: &Shared<Rgb565Be>,
+    ) {
+        let paint = |material: (_, &_)| Every::<_, PIXELS>(Skin::of(textures, material));
         self.floating::<_, _, VERTICES>(light, paint, background, memory);
     }
 

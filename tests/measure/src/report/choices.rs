@@ -57,7 +57,7 @@ pub(super) enum Arithmetic {
     #[default]
     Fixed,
     /// `f32`, by a rasterizer for comparison: Gouraud shading with depth, also in `f32`, and with
-    /// colours computed for each pixel.
+    /// colours computed for each pixel. Textures have the levels of light of the library.
     Float,
     /// The same with colours of 64 levels, as the library has them.
     FloatLevels,
@@ -66,7 +66,8 @@ pub(super) enum Arithmetic {
 /// One way to draw a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(super) struct Choice {
-    /// With floating-point numbers, the parts below are those of the default.
+    /// With floating-point numbers, the parts below are those of the default, but for the
+    /// correction.
     #[serde(default)]
     pub(super) arithmetic: Arithmetic,
     /// Bits of a pixel behind the point: 4 or 8.
@@ -184,6 +185,12 @@ pub(super) fn of_texture() -> Vec<Method> {
             name: "sub-pixels: S4, S8",
             choices: [4, 8].map(|subpixel| Choice { subpixel, ..DEFAULT_TEXTURED }).into(),
         },
+        Method {
+            name: "f32, for comparison",
+            choices: [Correction::Every(16), Correction::EveryPixel]
+                .map(|correction| Choice { arithmetic: Arithmetic::Float, ..nearest(correction) })
+                .into(),
+        },
     ]
 }
 
@@ -201,10 +208,13 @@ impl Correction {
 impl Choice {
     /// Its name, of the parts by which choices differ.
     pub(super) fn name(&self) -> String {
-        match self.arithmetic {
-            Arithmetic::Float => return "f32".into(),
-            Arithmetic::FloatLevels => return "f32-levels".into(),
-            Arithmetic::Fixed => {}
+        match (self.arithmetic, self.texture) {
+            (Arithmetic::Float, Some((correction @ Correction::Every(_), _))) => {
+                return format!("f32-{}", correction.name());
+            }
+            (Arithmetic::Float, _) => return "f32".into(),
+            (Arithmetic::FloatLevels, _) => return "f32-levels".into(),
+            (Arithmetic::Fixed, _) => {}
         }
         let mut parts = vec![format!("{:?}", self.shading).to_lowercase()];
         if let Some((correction, filter)) = self.texture {
@@ -268,5 +278,11 @@ pub(super) mod tests {
         assert_eq!(names, ["gouraud-s8-u16-rgb565", "gouraud-adaptive-8-nearest-s8-u16-rgb565"]);
         let samples = Choice { samples: 4, is_dithered: true, ..DEFAULT };
         assert_eq!(samples.name(), "gouraud-s8-u16-rgb565-dithered-4x4");
+        let float = |correction| {
+            let arithmetic = Arithmetic::Float;
+            Choice { arithmetic, ..Choice::corrected(correction) }.name()
+        };
+        assert_eq!(float(Correction::Every(16)), "f32-every-16");
+        assert_eq!(float(Correction::EveryPixel), "f32");
     }
 }

@@ -38,9 +38,11 @@ choices that no other one beats.
   mean over the display of the measure by Andersson et al. (2020), from 0 to 1, for a display of 2.4
   inches 40 cm away.
 * **f32** is a rasterizer in floating point, for comparison: what one writes for a core that has an
-  FPU. It draws the same tables in the same view by Gouraud shading. *f32* computes a colour for each
-  pixel, *f32-levels* takes one of 64 levels, as the library does. It is no choice of the library,
-  and not among the steps. A Cortex-M0+ has no FPU, and does all of it in software.
+  FPU. It draws the same tables in the same view by Gouraud shading. *f32* computes a colour for
+  each pixel, *f32-levels* takes one of 64 levels, as the library does. With a texture it takes the
+  nearest texel, in the library's levels of light: *f32* divides at each pixel that is seen,
+  *f32-every-16* every 16 pixels. It is no choice of the library, and not among the steps. A
+  Cortex-M0+ has no FPU, and does all of it in software.
 * **What cannot be seen** is shaded: rounding to RGB565 alone has the error of its upper edge. The
   lower line is the error of the true picture itself, against one of four times as many samples.
 * The picture on a core is that of the host, bit by bit: each run compares their hashes.
@@ -58,8 +60,8 @@ const OMISSIONS: &str = "\
 * The painter's algorithm with several samples, and with textures.
 * Sending pixels. With several samples the means are handed to a display one by one, as drivers
   take them, which is part of their run time.
-* Textures in floating point: the rasterizer for comparison has Gouraud shading alone, and clips
-  nothing.
+* Filters, samples and clipping in floating point. The rasterizer for comparison does not draw
+  *floor*, which reaches behind the camera.
 * The Cortex-M7 has no timing table; RISC-V and the Cortex-M33 have one: name them with `--core`.
   That of the Cortex-M33 lacks its FPU, so there the cycles of f32 are not known.
 ";

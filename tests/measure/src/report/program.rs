@@ -58,7 +58,13 @@ fn call(scene: &Scene, choice: &Choice) -> String {
         Visibility::Painter => "",
     };
     let method = match (choice.arithmetic, choice.visibility, choice.samples) {
-        (Arithmetic::Float, ..) => "in_f32::<V>".into(),
+        (Arithmetic::Float, ..) => match choice.texture {
+            None => "in_f32::<V>".into(),
+            Some((Correction::Every(pixels), _)) => {
+                format!("textured_in_f32_every::<_, {pixels}, V>")
+            }
+            Some(_) => "textured_in_f32::<_, V>".into(),
+        },
         (Arithmetic::FloatLevels, ..) => "in_f32_levels::<64, V>".into(),
         (_, Visibility::Painter, _) => format!("painted::<{subpixel}, _, V, T>"),
         (_, _, 1) => format!("frames::<{subpixel}, {depth}, _, V>"),
@@ -67,9 +73,10 @@ fn call(scene: &Scene, choice: &Choice) -> String {
             format!("supersampled::<{subpixel}, {depth}, _, {side}, V, {words}>")
         }
     };
-    let shaded_by = match choice.arithmetic {
-        Arithmetic::Fixed => shader(choice, tables),
-        Arithmetic::Float | Arithmetic::FloatLevels => "&SUN".into(),
+    let shaded_by = match (choice.arithmetic, choice.texture) {
+        (Arithmetic::Fixed, _) => shader(choice, tables),
+        (_, Some(_)) => format!("&{tables}::MODEL_TEXTURES, &SUN"),
+        (_, None) => "&SUN".into(),
     };
     format!(
         "{{

@@ -12,7 +12,7 @@ use host_tools::{
 };
 use serde::{Deserialize, Serialize};
 
-use super::choices::{self, Choice, Method};
+use super::choices::{self, Arithmetic, Choice, Method};
 use crate::firmware;
 
 /// A model as it is seen by all choices.
@@ -36,6 +36,9 @@ pub(super) struct Scene {
 
 /// The size of the display in pixels.
 pub(super) const SIZE: [u32; 2] = [320, 240];
+
+/// The distance of the near plane from the camera.
+const NEAR: f64 = 0.1;
 
 /// Steps of the core's coordinates in a unit of the model.
 const STEPS: f64 = 65_536.0;
@@ -84,15 +87,22 @@ impl Scene {
         if self.is_textured { choices::of_texture() } else { choices::of_colors() }
     }
 
-    /// All choices of the methods, each once.
+    /// All choices of the methods that can draw it, each once.
     pub(super) fn choices(&self) -> Vec<Choice> {
         let mut choices: Vec<Choice> = Vec::new();
         for choice in self.methods().into_iter().flat_map(|method| method.choices) {
-            if !choices.contains(&choice) {
+            let is_drawn = choice.arithmetic == Arithmetic::Fixed || self.is_beyond_near();
+            if is_drawn && !choices.contains(&choice) {
                 choices.push(choice);
             }
         }
         choices
+    }
+
+    /// Whether all of it is beyond the near plane, however it is turned: the rasterizer in
+    /// floating point clips nothing.
+    fn is_beyond_near(&self) -> bool {
+        self.distance - 1.0 > NEAR
     }
 
     /// The view of a frame in the host tools, as the bench scenes of the firmware have it.
@@ -106,7 +116,7 @@ impl Scene {
             projection: Projection::Perspective {
                 field_of_view_degrees: 2.0 * half_angle.to_degrees(),
             },
-            near: 0.1,
+            near: NEAR,
             far: 100.0,
             yaw_degrees: turn(64 * frame + 20),
             pitch_degrees: turn(30),
@@ -245,6 +255,20 @@ const fn name(has_mip_levels: bool) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_needs_clipping_is_not_drawn_in_floating_point() {
+        let file = firmware::root().join("host-tools/models/wooden_crate.obj");
+        let seen_from = |distance| Scene { distance, ..Scene::of(&file, 1).unwrap() };
+        let floats = |scene: Scene| {
+            let choices = scene.choices();
+            choices.iter().filter(|choice| choice.arithmetic == Arithmetic::Float).count()
+        };
+        assert_eq!(
+            [2.4, 1.11, 1.09, 0.8].map(|distance| floats(seen_from(distance))),
+            [2, 2, 0, 0]
+        );
+    }
 
     #[test]
     fn a_shift_is_a_64th_of_a_pixel_to_the_nearest_step() {
