@@ -65,6 +65,7 @@ mod tests {
             points: Vec::new(),
             splits: Vec::new(),
             texels: Vec::new(),
+            narrow: Vec::new(),
         };
         Report {
             cores: vec![Core::M4],

@@ -7,6 +7,7 @@ mod errors;
 mod flip;
 mod front;
 mod merge;
+mod narrow;
 mod page;
 mod points;
 mod program;

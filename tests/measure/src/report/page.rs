@@ -4,6 +4,7 @@ use std::fmt::Write as _;
 
 use super::{
     Report,
+    narrow::Narrow,
     points::{Measured, Point},
     split::{Split, Texels},
 };
@@ -53,8 +54,10 @@ choices that no other one beats.
 const OMISSIONS: &str = "\
 ## What was left out
 
-* Positions and normals of other widths: the core has 16 and 8 bits. What 16 bits cost shows in the
-  tables of causes, as the difference between *off file* and *off tables*.
+* Positions and normals of other widths as choices: the core has 16 and 8 bits. What 16 bits cost
+  shows in the tables of causes, as the difference between *off file* and *off tables*. Narrower
+  tables are drawn by the core as it is, from rounded values: what their decoding takes is not
+  counted.
 * Light at each pixel over a texture: the core does not have it.
 * Highlights, several lights, fog and blending: no two choices draw the same there.
 * The painter's algorithm with several samples, and with textures.
@@ -191,6 +194,18 @@ fn causes(measured: &Measured) -> String {
         ];
         text += "\nTexture coordinates against exact perspective on the same vertices:\n\n";
         text += &Table::of(1, &columns, &measured.texels).to_string();
+    }
+    if !measured.narrow.is_empty() {
+        let columns: [Column<&Narrow>; 5] = [
+            ("tables", |narrow| narrow.format.name().into()),
+            ("save, bytes", |narrow| count(narrow.saved as u64)),
+            ("RMS", |narrow| format!("{:.2}", narrow.rms)),
+            ("inside", |narrow| format!("{:.2}", narrow.rms_inside)),
+            ("most", |narrow| format!("{:.0}", narrow.max)),
+        ];
+        text += "\nNarrower tables, which the library does not have, drawn by the default choice \
+                 in colours of 8 bits:\n\n";
+        text += &Table::of(1, &columns, &measured.narrow).to_string();
     }
     text
 }

@@ -11,6 +11,7 @@ use super::{
     choices::{Arithmetic, Choice},
     errors::{self, Errors, Picture},
     front::front,
+    narrow::{self, Narrow},
     run::{Drawn, Programs},
     scenes::Scene,
     split::{self, Split, Texels},
@@ -78,6 +79,8 @@ pub(super) struct Measured {
     pub(super) points: Vec<Point>,
     pub(super) splits: Vec<Split>,
     pub(super) texels: Vec<Texels>,
+    #[serde(default)]
+    pub(super) narrow: Vec<Narrow>,
 }
 
 /// Steps of progress for a scene: pictures, the reference, causes, and the choices on each core.
@@ -153,11 +156,12 @@ impl Measured {
         step("causes of errors");
         let tables = scene.model()?;
         let (splits, texels) = (split::geometry(&scene, &tables)?, split::texels(&scene, &tables)?);
+        let narrow = narrow::of(&scene, &tables, &truths)?;
         let mut conditions = Vec::new();
         for &core in cores {
             conditions.push((core, count(&programs, core, &mut points, &drawn, progress)?));
         }
-        Ok((Self { scene, reference_rms, points, splits, texels }, conditions))
+        Ok((Self { scene, reference_rms, points, splits, texels, narrow }, conditions))
     }
 }
 
@@ -226,8 +230,8 @@ mod tests {
         };
         let points: Vec<_> = scene.choices().into_iter().map(point).collect();
         assert!(points.iter().any(|point| point.errors.rms < 2.0));
-        let (splits, texels) = (Vec::new(), Vec::new());
-        let measured = Measured { scene, reference_rms: 0.0, points, splits, texels };
+        let (splits, texels, narrow) = (Vec::new(), Vec::new(), Vec::new());
+        let measured = Measured { scene, reference_rms: 0.0, points, splits, texels, narrow };
         let front = measured.front(None);
         assert_eq!(front.len(), 1);
         assert_eq!(front[0].errors.rms, 2.0);

@@ -18,7 +18,7 @@ use crate::{conditions::Conditions, cores::Core, firmware};
 pub(super) type Found = (Measured, Vec<(Core, Conditions)>);
 
 /// What the figures of all scenes depend on, apart from the model's files and compilers.
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 18] = [
     "Cargo.lock",
     "Cargo.toml",
     "rasterizer/src",
@@ -31,6 +31,7 @@ const SOURCES: [&str; 17] = [
     "tests/measure/src/cycles/timing.rs",
     "tests/measure/src/report/choices.rs",
     "tests/measure/src/report/errors.rs",
+    "tests/measure/src/report/narrow.rs",
     "tests/measure/src/report/points.rs",
     "tests/measure/src/report/program.rs",
     "tests/measure/src/report/run.rs",
