@@ -60,6 +60,7 @@ impl Study {
                 ram: self.request.ram_bytes,
                 flash: self.request.flash_bytes,
                 least_ram: right().map(|(_, p, _)| p.ram_bytes()).min().unwrap_or(0),
+                has_mip_levels: self.has_mip_levels(),
                 least_flash: right().map(|(_, p, _)| p.flash_bytes()).min().unwrap_or(0),
             });
         };

@@ -67,7 +67,7 @@ impl Load {
     ) -> Self {
         let Work { triangles, seen, missed, rows, covered, passed, .. } = *work;
         let divided = match types.paint {
-            Paint::Textures(Correction::Adaptive, _) => work.divided,
+            Paint::Textures(Correction::Adaptive, ..) => work.divided,
             _ => Divided::default(),
         };
         let met = if bands == 1 { 0 } else { work.met.get(place).copied().unwrap_or(0) };
@@ -222,7 +222,9 @@ impl Costs {
     /// What types cost on a core; `None` if that is unknown.
     ///
     /// [Measured](Types::all_measured) are the combinations of one shader, and of each other shader
-    /// the simplest renderer with depth and without; where nothing is interpolated, all of them.
+    /// the simplest renderer with depth and without; where nothing is interpolated, all of them. Of
+    /// each filter one renderer is measured with depth and one without, and of bilinear ones for
+    /// each kind of texels.
     /// What else differs (visibility, bands, vertices on demand) costs the others what it costs the
     /// first shader.
     #[must_use]
@@ -235,6 +237,8 @@ impl Costs {
         let [of, without, with] = if types.clips {
             let model = types.clipped_model();
             [Types { clips: false, ..*types }, model, Types { clips: true, ..model }]
+        } else if let Some(steps) = types.filter_steps() {
+            steps
         } else if *types == types.shader_model() {
             let with_u16 = Types { visibility: Visibility::U16, ..*types };
             [with_u16, with_u16.whole_and_stored(), types.whole_and_stored()]

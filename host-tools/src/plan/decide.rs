@@ -4,6 +4,7 @@ use super::{
     Correction, Paint, Shape, Study, Texels, Types, Vertices, Visibility, band_rows,
     order::Search,
     predict::{Candidate, Estimator},
+    sampled::{MINIFIED_PART, MINIFIED_TEXELS, MOST_RATIO},
 };
 use crate::model::thousands;
 
@@ -53,6 +54,7 @@ impl Study {
         ];
         decisions.extend(self.perspective(estimator, chosen));
         decisions.extend(self.textures(estimator, chosen));
+        decisions.extend(self.filter(estimator, chosen));
         decisions.push(self.bands(estimator, chosen));
         decisions.push(self.vertices(estimator, chosen));
         decisions
@@ -197,12 +199,12 @@ impl Study {
 
     fn perspective(&self, estimator: &Estimator<'_>, chosen: Candidate) -> Option<Decision> {
         let sampling = self.sampling.as_ref()?;
-        let Paint::Textures(correction, texels) = chosen.types.paint else { return None };
+        let Paint::Textures(correction, texels, filter) = chosen.types.paint else { return None };
         let (choice, other, others) = match correction {
             Correction::Affine => ("affine", "corrected", Correction::Adaptive),
             Correction::Adaptive => ("corrected", "affine", Correction::Affine),
         };
-        let types = Types { paint: Paint::Textures(others, texels), ..chosen.types };
+        let types = Types { paint: Paint::Textures(others, texels, filter), ..chosen.types };
         Some(Decision {
             about: "perspective",
             choice: choice.into(),
@@ -219,7 +221,7 @@ impl Study {
 
     fn textures(&self, estimator: &Estimator<'_>, chosen: Candidate) -> Option<Decision> {
         let sampling = self.sampling.as_ref()?;
-        let Paint::Textures(correction, format) = chosen.types.paint else { return None };
+        let Paint::Textures(correction, format, filter) = chosen.types.paint else { return None };
         let [[width, height], smaller] = sampling.sizes;
         let is_smaller = smaller != [width, height];
         let texels = sampling.seen.median_texels();
@@ -255,9 +257,46 @@ impl Study {
             basis: self.request.views.basis(),
             margin: format!("{}, {wanted}", nearness(format)),
             other: other.and_then(|format| {
-                let types = Types { paint: Paint::Textures(correction, format), ..chosen.types };
+                let paint = Paint::Textures(correction, format, filter);
+                let types = Types { paint, ..chosen.types };
                 estimator.other(format.title(), chosen, types, chosen.rows)
             }),
+        })
+    }
+
+    fn filter(&self, estimator: &Estimator<'_>, chosen: Candidate) -> Option<Decision> {
+        let sampling = self.sampling.as_ref()?;
+        let filter = sampling.filter;
+        let other = sampling.with_other_levels();
+        let percent = |part: f64| format!("{:.1} %", 100.0 * part);
+        let level = match filter.mip_levels {
+            None => String::new(),
+            Some(_) => format!(
+                "; within a triangle distances differ by a factor of {:.3} at most (from {MOST_RATIO} \
+                 on a level is chosen at each pixel)",
+                sampling.seen.ratio
+            ),
+        };
+        let minified = format!(
+            "a step of a pixel covers {MINIFIED_TEXELS} texels or more in {} of the pixels (from {} \
+             on there are mip levels){level}",
+            percent(sampling.minified_part),
+            percent(MINIFIED_PART)
+        );
+        let is_requested = self.request.has_mip_levels.is_some();
+        let paint = chosen.types.paint.filtered(other);
+        Some(Decision {
+            about: "filter",
+            choice: filter.title().into(),
+            reason: if is_requested { format!("as asked for: {minified}") } else { minified },
+            basis: self.request.views.basis(),
+            margin: percent((sampling.minified_part - MINIFIED_PART).abs()),
+            other: estimator.other(
+                other.title(),
+                chosen,
+                Types { paint, ..chosen.types },
+                chosen.rows,
+            ),
         })
     }
 

@@ -19,6 +19,7 @@ mod divided;
 mod order;
 #[cfg(test)]
 mod order_tests;
+mod paint;
 mod partition;
 mod predict;
 mod request;
@@ -38,12 +39,13 @@ pub use convex::{Shape, shape};
 pub use costs::{Cost, Costs, Load};
 pub use decide::{Decision, Other};
 pub use divided::Divided;
+pub use paint::{Correction, Filter, LevelChoice, Paint, Texels};
 pub use predict::{Candidate, Fault, Predicted};
 pub use request::{Core, Request};
 pub use seen::Work;
 pub use slivers::Slivers;
 pub use study::{Study, Worst};
-pub use types::{Correction, Paint, Texels, Types, Vertices, Visibility};
+pub use types::{Types, Vertices, Visibility};
 pub use views::{View, Views};
 
 use crate::{check::ViewError, model::ModelError};
@@ -74,8 +76,9 @@ pub enum PlanError {
     /// No renderer fits.
     #[error(
         "no renderer fits {ram} bytes of RAM{}: the smallest takes {least_ram} bytes of RAM and \
-         {least_flash} of flash",
-        flash.map_or(String::new(), |flash| format!(" and {flash} bytes of flash"))
+         {least_flash} of flash{}",
+        flash.map_or(String::new(), |flash| format!(" and {flash} bytes of flash")),
+        if *has_mip_levels { "; textures without mip levels take less" } else { "" }
     )]
     TooLarge {
         /// The RAM that there is.
@@ -86,6 +89,8 @@ pub enum PlanError {
         least_ram: u32,
         /// The flash of the renderer with the least.
         least_flash: u32,
+        /// Whether textures have mip levels.
+        has_mip_levels: bool,
     },
 }
 

@@ -5,6 +5,7 @@ use super::{
     costs::{PartCost, RunCost},
     decide::Other,
     order::{FixedOrder, Search},
+    sampled::Sampled,
     types::Tables,
 };
 use crate::model::Model;
@@ -78,7 +79,10 @@ pub(super) struct Estimator<'a> {
 impl<'a> Estimator<'a> {
     pub(super) fn new(study: &'a Study, costs: &'a Costs) -> Result<Self, PlanError> {
         let mut models: Vec<(Tables, Model)> = Vec::new();
-        for paint in study.paints() {
+        // A decision compares with the filter that is not taken.
+        let other = study.sampling.as_ref().map(Sampled::with_other_levels);
+        let others = study.paints().into_iter().filter_map(|paint| Some(paint.filtered(other?)));
+        for paint in study.paints().into_iter().chain(others) {
             for visibility in study.considered() {
                 for is_smooth in [false, true] {
                     let types = Types { is_smooth, paint, visibility, ..EVERYTHING };
@@ -199,7 +203,9 @@ impl<'a> Estimator<'a> {
     pub(super) fn everything(&self) -> (Candidate, Predicted) {
         let (request, paints) = (&self.study.request, self.study.paints());
         let paint = paints.first().map_or(Paint::Materials, |paint| match paint {
-            Paint::Textures(_, texels) => Paint::Textures(Correction::Adaptive, *texels),
+            Paint::Textures(_, texels, filter) => {
+                Paint::Textures(Correction::Adaptive, *texels, *filter)
+            }
             other => *other,
         });
         let height = request.display[1];

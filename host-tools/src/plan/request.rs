@@ -94,6 +94,10 @@ pub struct Request {
     pub wrong_part: f64,
     /// How far a texture coordinate may be off, in texels.
     pub texels: f64,
+    /// Whether four texels are mixed, and not the nearest one is taken.
+    pub is_bilinear: bool,
+    /// Whether textures have mip levels; `None` for where views need them.
+    pub has_mip_levels: Option<bool>,
     /// How near a palette's colours must be to those without one: the peak signal-to-noise ratio,
     /// in dB. Infinite if they must be the same.
     pub palette_db: f64,
@@ -118,6 +122,8 @@ impl Default for Request {
             background: [0; 3],
             wrong_part: 0.001,
             texels: 0.5,
+            is_bilinear: false,
+            has_mip_levels: None,
             palette_db: f64::INFINITY,
         }
     }

@@ -2,8 +2,19 @@
 
 use std::path::Path;
 
-use super::{PlanError, Texels, texels::Sampling};
+use super::{Filter, LevelChoice, PlanError, Request, Texels, texels::Sampling};
 use crate::model::{ColorFormat, Model, Options, TexelFormat, Texture, TextureOptions};
+
+/// Of a step of as many texels, the nearest one shows a sixteenth of what it covers: what it leaves
+/// out flickers as the model moves.
+pub(super) const MINIFIED_TEXELS: f64 = 4.0;
+
+/// The part of the pixels that may have such steps without mip levels.
+pub(super) const MINIFIED_PART: f64 = 0.1;
+
+/// The mip level of a triangle is off by up to log2 r within it, for distances in the ratio r
+/// ([`PerTriangle`](rasterizer::texture::PerTriangle)): by one here.
+pub(super) const MOST_RATIO: f64 = 2.0;
 
 /// How textures are sampled.
 #[derive(Clone, Debug)]
@@ -12,6 +23,10 @@ pub(super) struct Sampled {
     pub(super) seen: Sampling,
     /// The sides of the textures, before and after they are made as small as they are seen.
     pub(super) sizes: [[usize; 2]; 2],
+    /// The part of the pixels whose step covers [`MINIFIED_TEXELS`] or more of these.
+    pub(super) minified_part: f64,
+    /// Which texels make the colour of a pixel.
+    pub(super) filter: Filter,
     /// The largest error of linear interpolation in these texels.
     pub(super) affine_error: f64,
     /// How near the colours of each of [`Texels::ALL`] are to those of the first: the peak
@@ -25,7 +40,16 @@ impl Sampled {
         self.psnr_db[texels as usize]
     }
 
-    /// Of a model in a file, with colours of 16 bits, given what all views show.
+    /// The filter with mip levels instead of without, or the other way round.
+    pub(super) fn with_other_levels(&self) -> Filter {
+        let mip_levels = match self.filter.mip_levels {
+            None => Some(level_choice(&self.seen)),
+            Some(_) => None,
+        };
+        Filter { mip_levels, ..self.filter }
+    }
+
+    /// Of a model in a file, with colours of 16 bits, given what all views of a request show.
     ///
     /// # Errors
     ///
@@ -34,7 +58,7 @@ impl Sampled {
         model: &Model,
         path: &Path,
         options: &Options,
-        seen: Sampling,
+        (request, seen): (&Request, Sampling),
     ) -> Result<Self, PlanError> {
         let textures = model.textures.as_ref();
         let size = textures.map_or([1; 2], |textures| textures.size);
@@ -42,8 +66,15 @@ impl Sampled {
         // A size that was asked for stays.
         let halvings = if chosen.is_some() { 0 } else { seen.halvings() };
         let smaller = size.map(|side| (side >> halvings).max(1));
-        let stored = |format| Model::load(path, &with_texels(options, Some(smaller), format));
-        let resized = if halvings > 0 { Some(stored(TexelFormat::Direct)?) } else { None };
+        let minified_part = seen.part_of(MINIFIED_TEXELS * f64::from(1 << halvings));
+        let has_mip_levels = request.has_mip_levels.unwrap_or(minified_part > MINIFIED_PART);
+        let mip_levels = has_mip_levels.then_some(level_choice(&seen));
+        let filter = Filter { is_bilinear: request.is_bilinear, mip_levels };
+        let stored = |format| {
+            Model::load(path, &with_texels(options, Some(smaller), format, has_mip_levels))
+        };
+        let is_other = halvings > 0 || has_mip_levels;
+        let resized = if is_other { Some(stored(TexelFormat::Direct)?) } else { None };
         let direct = resized.as_ref().unwrap_or(model);
         let mut psnr_db = [f64::INFINITY; Texels::ALL.len()];
         for (psnr_db, texels) in psnr_db.iter_mut().zip(Texels::ALL).skip(1) {
@@ -51,21 +82,28 @@ impl Sampled {
         }
         let scale = smaller[0] as f64 / size[0] as f64;
         let affine_error = seen.affine_error * scale;
-        Ok(Self { seen, sizes: [size, smaller], affine_error, psnr_db })
+        let sizes = [size, smaller];
+        Ok(Self { seen, sizes, minified_part, filter, affine_error, psnr_db })
     }
 }
 
-/// The options with textures of a size and a format.
+/// Where mip levels are chosen.
+fn level_choice(seen: &Sampling) -> LevelChoice {
+    if seen.ratio > MOST_RATIO { LevelChoice::PerPixel } else { LevelChoice::PerTriangle }
+}
+
+/// The options with textures of a size and a format, with mip levels or without.
 pub(super) fn with_texels(
     options: &Options,
     size: Option<[usize; 2]>,
     format: TexelFormat,
+    mipmaps: bool,
 ) -> Options {
     let textures = options.textures.as_ref().map(|textures| TextureOptions {
         size: size.or(textures.size),
         format,
         color: ColorFormat::Rgb565,
-        mipmaps: false,
+        mipmaps,
         ..*textures
     });
     Options { textures, ..options.clone() }
@@ -85,18 +123,21 @@ fn psnr(expected: &Model, stored: &Model) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
+    use std::{fs, path::PathBuf};
 
     use tempfile::TempDir;
 
     use super::{super::tests, *};
-    use crate::plan::{Costs, Paint, Plan, Request, Study};
+    use crate::plan::{Costs, Paint, Plan, Study, View, Views};
 
-    /// A square with a picture of 64 x 64 pixels, each 2 x 2 of them in one of some colours.
-    fn painted(colors: u32) -> (TempDir, std::path::PathBuf) {
-        let square = "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
-                      vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-        let (directory, path) = tests::file(square);
+    /// A square with a picture of 64 x 64 pixels, each 2 x 2 of them in one of some colours, some
+    /// times in each direction.
+    fn painted(colors: u32, times: u32) -> (TempDir, PathBuf) {
+        let square = format!(
+            "mtllib m.mtl\nusemtl a\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
+             vt 0 0\nvt {times} 0\nvt {times} {times}\nvt 0 {times}\nf 1/1 2/2 3/3 4/4\n"
+        );
+        let (directory, path) = tests::file(&square);
         fs::write(directory.path().join("m.mtl"), "newmtl a\nmap_Kd m.png\n").unwrap();
         let color = |x: u32, y: u32| {
             let number = (x / 2 + 32 * (y / 2)) % colors;
@@ -112,7 +153,10 @@ mod tests {
     }
 
     fn study(colors: u32, request: &Request) -> (TempDir, Study) {
-        let (directory, path) = painted(colors);
+        study_of(painted(colors, 1), request)
+    }
+
+    fn study_of((directory, path): (TempDir, PathBuf), request: &Request) -> (TempDir, Study) {
         let options = Options { textures: Some(TextureOptions::default()), ..Options::default() };
         let study = Study::new(&path, &options, request, |_| ()).unwrap();
         (directory, study)
@@ -138,7 +182,7 @@ mod tests {
             study.plan(&Costs::measured())
         };
         let format = |plan: &Plan| match plan.chosen.types.paint {
-            Paint::Textures(_, format) => format,
+            Paint::Textures(_, format, _) => format,
             paint => panic!("{paint:?}"),
         };
         let free = plan(16, &request).unwrap();
@@ -159,5 +203,58 @@ mod tests {
         let textures = tests::decision(&lossy, "textures");
         assert!(textures.choice.contains("a palette of 16 colours"), "{textures:?}");
         assert!(textures.margin.contains("20 dB are wanted"), "{textures:?}");
+    }
+
+    #[test]
+    fn views_and_distances_decide_the_filter() {
+        let filter = |degrees: f64, distance: f64, request: Request| {
+            let turns_degrees = [0.0, degrees, 0.0];
+            let views = Views::List(vec![View { turns_degrees, distance: Some(distance) }]);
+            let request = Request { views, ..request };
+            study_of(painted(16, 4), &request).1.sampling.unwrap().filter
+        };
+        let (request, mip) =
+            (tests::request(), |mip_levels| Filter { mip_levels, ..Filter::NEAREST });
+        // All steps are the same, and the texture is made as small as that.
+        assert_eq!(filter(0.0, 3.0, request.clone()), Filter::NEAREST);
+        // From 1.25 - 0.7 to 1.25 + 0.7 away, almost along the square.
+        let per_pixel = mip(Some(LevelChoice::PerPixel));
+        assert_eq!(filter(80.0, 1.25, request.clone()), per_pixel);
+        let (no, yes) = (Some(false), Some(true));
+        let asked_for = |has_mip_levels| Request { has_mip_levels, ..request.clone() };
+        assert_eq!(filter(80.0, 1.25, asked_for(no)), Filter::NEAREST);
+        assert_eq!(filter(80.0, 1.25, asked_for(yes)), per_pixel);
+        // From 2.3 to 3.7 away distances differ by a factor of 1.6.
+        let per_triangle = mip(Some(LevelChoice::PerTriangle));
+        assert_eq!(filter(80.0, 3.0, asked_for(yes)), per_triangle);
+        let bilinear = Request { is_bilinear: true, ..asked_for(yes) };
+        let wanted = Filter { is_bilinear: true, ..per_triangle };
+        assert_eq!(filter(80.0, 3.0, bilinear), wanted);
+    }
+
+    #[test]
+    fn the_file_has_the_filter_and_its_levels() {
+        let planned = |request: &Request| {
+            // More than a palette has.
+            let (_directory, study) = study(300, request);
+            (study.plan(&Costs::measured()), study.sampling.unwrap().sizes[1])
+        };
+        let request = Request { has_mip_levels: Some(true), ..tests::request() };
+        let (plan, [side, _]) = planned(&request);
+        let plan = plan.unwrap();
+        let source = &plan.source;
+        assert!(source.contains("texture::{NearestMip, PerTriangle}"), "{source}");
+        assert!(source.contains(".filtered(NearestMip(PerTriangle))"));
+        assert!(source.contains("::rasterizer::texture::Mipmaps<"));
+        let filter = tests::decision(&plan, "filter");
+        assert!(filter.reason.starts_with("as asked for"), "{filter:?}");
+        assert_eq!(filter.other.as_ref().unwrap().choice, "nearest texel");
+        // n^2 / 4 + n^2 / 16 + ... + 1 texels of 2 bytes.
+        let none = planned(&Request { has_mip_levels: Some(false), ..request.clone() }).0.unwrap();
+        let levels = plan.predicted.table_bytes - none.predicted.table_bytes;
+        assert_eq!(levels as usize, 2 * (side * side - 1) / 3);
+        let flash_bytes = Some(plan.predicted.flash_bytes() / 2);
+        let error = planned(&Request { flash_bytes, ..request }).0.unwrap_err().to_string();
+        assert!(error.ends_with("; textures without mip levels take less"), "{error}");
     }
 }

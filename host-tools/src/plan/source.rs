@@ -88,21 +88,32 @@ fn head(study: &Study, model: &Model, types: &Types, rows: u32) -> String {
     // What is imported besides that all files need, and the shader.
     let is_own = !matches!(types.visibility, Visibility::U16 | Visibility::U32);
     let mut attributes: Vec<&str> = is_own.then_some(depth).into_iter().collect();
-    let shader = if let Paint::Textures(correction, _) = types.paint {
+    let shader = if let Paint::Textures(correction, _, filter) = types.paint {
         let (attribute, corrected) = match correction {
             Correction::Affine => ("Affine", ".corrected(Affine)"),
             Correction::Adaptive => ("Adaptive", ""),
         };
         attributes.push(attribute);
+        let filtered = match filter.types() {
+            ["Nearest"] => String::new(),
+            [filter, level] => format!(".filtered({filter}({level}))"),
+            other => format!(".filtered({})", other.concat()),
+        };
         let wide = if is_wide { ".with_wide_coordinates()" } else { "" };
-        format!("{name}::new(&{}_TEXTURES, LIGHT){corrected}{wide}", model.name)
+        format!("{name}::new(&{}_TEXTURES, LIGHT){filtered}{corrected}{wide}", model.name)
     } else {
         "Shading::new(LIGHT)".into()
     };
     let attributes: String =
         attributes.iter().map(|name| format!("attribute::{name},\n    ")).collect();
     let bins = if has_bins(types) { ", bin_words" } else { "" };
-    let nearest = if model.textures.is_some() { "    texture::Nearest,\n" } else { "" };
+    let filter = match types.paint {
+        Paint::Textures(_, _, filter) => match filter.types() {
+            [one] => format!("    texture::{one},\n"),
+            several => format!("    texture::{{{}}},\n", several.join(", ")),
+        },
+        Paint::Materials | Paint::Vertices => String::new(),
+    };
     let [screen_vertex, on_screen] =
         if is_stored { [", ScreenVertex", ", OnScreen"] } else { [""; 2] };
     let clip = clipping(types);
@@ -127,7 +138,7 @@ use ::rasterizer::{{
     output::{{Bands, FrameError}},
     scene::{{Object, ProjectError{bins}}},
     shade::{{{name}, Level, Light{on_screen}}},
-{nearest}}};
+{filter}}};
 
 /// The display's pixels.
 pub const SCREEN: Rectangle = Rectangle::new(Point::new(0, 0), Size::new({width}, {height}));

@@ -5,14 +5,14 @@ use std::path::{Path, PathBuf};
 use rasterizer::camera::{Distance, Perspective};
 
 use super::{
-    Correction, Load, Paint, PlanError, Request, Shape, Types, Visibility, Work, band_rows, convex,
+    Correction, Filter, Load, Paint, PlanError, Request, Shape, Texels, Types, Visibility, Work,
+    band_rows, convex,
     costs::SliverCost,
     divided::Coordinates,
     order::{FixedOrder, Orders, Search},
     sampled::{Sampled, with_texels},
     seen, source,
-    texels::{Sampling, Texels},
-    types,
+    texels::{Coverage, Sampling},
     views::Placed,
 };
 use crate::{
@@ -98,14 +98,14 @@ impl Study {
         mut step: impl FnMut(usize),
     ) -> Result<Self, PlanError> {
         let options = Options { name: None, ..options.clone() };
-        let whole = Model::load(path, &with_texels(&options, None, TexelFormat::Direct))?;
+        let whole = Model::load(path, &with_texels(&options, None, TexelFormat::Direct, false))?;
         if whole.report.triangles == 0 {
             return Err(PlanError::NoFaces(path.display().to_string()));
         }
         let normal_degrees = normal_degrees(&whole);
         let is_smooth = is_smooth(request, normal_degrees, &whole);
         let paint = if whole.textures.is_some() {
-            Paint::Textures(Correction::Adaptive, types::Texels::Direct)
+            Paint::Textures(Correction::Adaptive, Texels::Direct, Filter::NEAREST)
         } else {
             plain_paint(&whole)
         };
@@ -121,7 +121,7 @@ impl Study {
         let orders = (shape != Shape::Convex && !has_holes).then(|| Orders::new(&model));
         let mut seen = look(&model, &eye, request, &views, orders, &mut step)?;
         let sampling = match seen.sampling {
-            Some(seen) => Some(Sampled::new(&model, path, &options, seen)?),
+            Some(seen) => Some(Sampled::new(&model, path, &options, (request, seen))?),
             None => None,
         };
         if let Some(sampling) = &sampling {
@@ -221,6 +221,11 @@ impl Study {
         self.is_smooth
     }
 
+    /// Whether textures have mip levels.
+    pub(super) fn has_mip_levels(&self) -> bool {
+        self.sampling.as_ref().is_some_and(|sampling| sampling.filter.mip_levels.is_some())
+    }
+
     /// The worst view of a way to decide visibility.
     #[must_use]
     pub fn worst(&self, visibility: Visibility) -> Worst {
@@ -258,12 +263,14 @@ impl Study {
             return vec![if self.has_vertex_colors { Paint::Vertices } else { Paint::Materials }];
         };
         let mut paints = Vec::new();
+        let filter = sampling.filter;
         for correction in [Correction::Affine, Correction::Adaptive] {
             let is_right =
                 correction == Correction::Adaptive || sampling.affine_error <= self.request.texels;
-            for (texels, psnr_db) in types::Texels::ALL.into_iter().zip(sampling.psnr_db) {
-                if is_right && psnr_db >= self.request.palette_db {
-                    paints.push(Paint::Textures(correction, texels));
+            let has_filter = Filter::all(correction).any(|other| other == filter);
+            for (texels, psnr_db) in Texels::ALL.into_iter().zip(sampling.psnr_db) {
+                if is_right && has_filter && psnr_db >= self.request.palette_db {
+                    paints.push(Paint::Textures(correction, texels, filter));
                 }
             }
         }
@@ -344,11 +351,11 @@ fn converted(
     (is_smooth, paint): (bool, Paint),
     size: Option<[usize; 2]>,
 ) -> Result<Model, PlanError> {
-    let format = match paint {
-        Paint::Textures(_, texels) => texels.format(),
-        Paint::Materials | Paint::Vertices => TexelFormat::Direct,
+    let (format, has_mip_levels) = match paint {
+        Paint::Textures(_, texels, filter) => (texels.format(), filter.mip_levels.is_some()),
+        Paint::Materials | Paint::Vertices => (TexelFormat::Direct, false),
     };
-    let mut options = with_texels(options, size, format);
+    let mut options = with_texels(options, size, format, has_mip_levels);
     options.contents = Contents {
         vertex_normals: is_smooth,
         face_normals: !is_smooth,
@@ -385,7 +392,7 @@ fn look(
     orders: Option<Orders>,
     step: &mut impl FnMut(usize),
 ) -> Result<SeenInAll, PlanError> {
-    let coordinates = Texels::new(model, request.focal_length_px());
+    let coordinates = Coverage::new(model, request);
     let sampling = coordinates.as_ref().map(|_| Sampling::default());
     let mut all = SeenInAll { sampling, orders, ..SeenInAll::default() };
     let precision = request.core.subpixel();
@@ -403,11 +410,7 @@ fn look(
             }
         }
         if let (Some(coordinates), Some(sampling)) = (&coordinates, &mut all.sampling) {
-            let mut pixels = vec![0; model.report.triangles];
-            for face in seen.faces.iter().filter(|&&face| face > 0) {
-                pixels[*face as usize - 1] += 1;
-            }
-            coordinates.measure(view, &pixels, sampling);
+            coordinates.measure(view, &seen.faces, sampling);
         }
         all.work.push(seen.work);
         step(number + 1);

@@ -8,11 +8,11 @@ use rasterizer::{
     geometry::ScreenVertex,
     numbers::S4,
     shade::{ColoredGouraud, Flat, Gouraud, OnScreen, Shader, TexturedFlat, TexturedGouraud},
-    texture::{Colors, Nearest, Texture},
+    texture::{Colors, Mipmaps, Nearest, NearestMip, PerPixel},
 };
 use serde::{Deserialize, Serialize};
 
-use crate::model::TexelFormat;
+use super::{Correction, Filter, LevelChoice, Paint, Texels};
 
 /// What decides which surface a pixel shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -90,64 +90,6 @@ impl Visibility {
     }
 }
 
-/// How texture coordinates are interpolated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Correction {
-    /// Linearly on the screen.
-    Affine,
-    /// Divided as often as half a texel needs it.
-    Adaptive,
-}
-
-/// How texels are stored.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Texels {
-    /// As colours of 16 bits.
-    Direct,
-    /// By a palette of 256 colours.
-    Indexed8,
-    /// By a palette of 16 colours.
-    Indexed4,
-}
-
-impl Texels {
-    /// All of them.
-    pub const ALL: [Self; 3] = [Self::Direct, Self::Indexed8, Self::Indexed4];
-
-    /// The converter's name of the format.
-    pub(super) const fn format(self) -> TexelFormat {
-        match self {
-            Self::Direct => TexelFormat::Direct,
-            Self::Indexed8 => TexelFormat::Indexed8,
-            Self::Indexed4 => TexelFormat::Indexed4,
-        }
-    }
-
-    /// Its name in a text.
-    #[must_use]
-    pub const fn title(self) -> &'static str {
-        match self {
-            Self::Direct => "colours of 16 bits",
-            Self::Indexed8 => "a palette of 256 colours",
-            Self::Indexed4 => "a palette of 16 colours",
-        }
-    }
-}
-
-/// What a pixel's colour comes from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Paint {
-    /// The colours of materials.
-    Materials,
-    /// The colours of vertices.
-    Vertices,
-    /// Textures.
-    Textures(Correction, Texels),
-}
-
 /// Where the vertices of a frame are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -193,6 +135,8 @@ impl Types {
             false
         } else if self.clips {
             *self == Self { clips: true, ..self.clipped_model() }
+        } else if let Some([.., with]) = self.filter_steps() {
+            *self == with
         } else if *self == self.shader_model() {
             let is_other_depth = matches!(self.visibility, Visibility::Float16 | Visibility::U32);
             !is_other_depth || *self == self.whole_and_stored()
@@ -263,9 +207,33 @@ impl Types {
     pub(super) const fn clipped_model(self) -> Self {
         let paint = match self.paint {
             Paint::Materials | Paint::Vertices => Paint::Materials,
-            Paint::Textures(..) => Paint::Textures(Correction::Adaptive, Texels::Direct),
+            Paint::Textures(..) => {
+                Paint::Textures(Correction::Adaptive, Texels::Direct, Filter::NEAREST)
+            }
         };
         Self { is_smooth: true, paint, visibility: Visibility::U16, ..self.whole_and_stored() }
+    }
+
+    /// For another filter than the nearest texel: the same types with a simpler one, and two
+    /// renderers that differ as they do. Four texels are found in four places, each through its
+    /// palette; a mip level takes the same time for all texels.
+    pub(super) fn filter_steps(self) -> Option<[Self; 3]> {
+        let Paint::Textures(correction, texels, filter) = self.paint else { return None };
+        let with = |texels, filter| Self {
+            is_smooth: true,
+            paint: Paint::Textures(correction, texels, filter),
+            ..self.base()
+        };
+        let (simpler, texels, added) = if filter.mip_levels.is_some() {
+            let simpler = Filter { mip_levels: None, ..filter };
+            (simpler, Texels::Direct, Filter { is_bilinear: false, ..filter })
+        } else if filter.is_bilinear {
+            (Filter::NEAREST, texels, filter)
+        } else {
+            return None;
+        };
+        let simpler = Self { paint: self.paint.filtered(simpler), ..self };
+        Some([simpler, with(texels, Filter::NEAREST), with(texels, added)])
     }
 
     /// Whether light is smooth, and where colours come from.
@@ -275,7 +243,9 @@ impl Types {
         for is_smooth in [false, true] {
             for correction in [Correction::Affine, Correction::Adaptive] {
                 for texels in Texels::ALL {
-                    all.push((is_smooth, Paint::Textures(correction, texels)));
+                    for filter in Filter::all(correction) {
+                        all.push((is_smooth, Paint::Textures(correction, texels, filter)));
+                    }
                 }
             }
         }
@@ -303,10 +273,16 @@ impl Types {
         of_depth + of_paint + of_light
     }
 
-    /// Which tables they read: how coordinates are corrected makes no difference.
+    /// Which tables they read: of corrections and filters, only whether there are mip levels makes
+    /// a difference.
     pub(super) const fn tables(&self) -> Tables {
         let paint = match self.paint {
-            Paint::Textures(_, texels) => Paint::Textures(Correction::Adaptive, texels),
+            Paint::Textures(_, texels, Filter { mip_levels, .. }) => {
+                let mip_levels =
+                    if mip_levels.is_some() { Some(LevelChoice::PerTriangle) } else { None };
+                let filter = Filter { is_bilinear: false, mip_levels };
+                Paint::Textures(Correction::Adaptive, texels, filter)
+            }
             paint => paint,
         };
         let order = match self.visibility {
@@ -319,30 +295,31 @@ impl Types {
     /// Bytes of a vertex in memory: x, y, depth, and the varyings of the shader.
     #[must_use]
     pub const fn vertex_bytes(&self, wide_coordinates: bool) -> u32 {
-        // Any texture: what is interpolated depends on the width of its coordinates alone.
-        type Any = Texture<Colors<'static, Rgb565, 64>, 8, 8>;
-        type Skin<M, C> = TexturedFlat<'static, Any, Nearest, M, C>;
-        type Lit<M, C> = TexturedGouraud<'static, Any, Nearest, M, C>;
-        let bytes = match (self.paint, self.is_smooth, wide_coordinates) {
-            (Paint::Materials, false, _) => self.bytes_with::<Flat<Rgb565>>(),
-            (Paint::Materials, true, _) => self.bytes_with::<Gouraud<Rgb565>>(),
-            (Paint::Vertices, ..) => self.bytes_with::<ColoredGouraud<Rgb565>>(),
-            (Paint::Textures(Correction::Affine, _), false, false) => {
-                self.bytes_with::<Skin<Affine, i16>>()
+        // Any texture: what is interpolated depends on the width of its coordinates and on where a
+        // mip level is chosen.
+        type Any = Mipmaps<Colors<'static, Rgb565, 1>, 1, 1>;
+        type Skin<F, M, C> = TexturedFlat<'static, Any, F, M, C>;
+        type Lit<F, M, C> = TexturedGouraud<'static, Any, F, M, C>;
+        macro_rules! textured {
+            ($filter:ty, $mode:ty) => {
+                match (self.is_smooth, wide_coordinates) {
+                    (false, false) => self.bytes_with::<Skin<$filter, $mode, i16>>(),
+                    (false, true) => self.bytes_with::<Skin<$filter, $mode, i32>>(),
+                    (true, false) => self.bytes_with::<Lit<$filter, $mode, i16>>(),
+                    (true, true) => self.bytes_with::<Lit<$filter, $mode, i32>>(),
+                }
+            };
+        }
+        const PER_PIXEL: Option<LevelChoice> = Some(LevelChoice::PerPixel);
+        let bytes = match (self.paint, self.is_smooth) {
+            (Paint::Materials, false) => self.bytes_with::<Flat<Rgb565>>(),
+            (Paint::Materials, true) => self.bytes_with::<Gouraud<Rgb565>>(),
+            (Paint::Vertices, _) => self.bytes_with::<ColoredGouraud<Rgb565>>(),
+            (Paint::Textures(_, _, Filter { mip_levels: PER_PIXEL, .. }), _) => {
+                textured!(NearestMip<PerPixel>, Adaptive)
             }
-            (Paint::Textures(Correction::Affine, _), false, true) => {
-                self.bytes_with::<Skin<Affine, i32>>()
-            }
-            (Paint::Textures(Correction::Affine, _), true, false) => {
-                self.bytes_with::<Lit<Affine, i16>>()
-            }
-            (Paint::Textures(Correction::Affine, _), true, true) => {
-                self.bytes_with::<Lit<Affine, i32>>()
-            }
-            (Paint::Textures(..), false, false) => self.bytes_with::<Skin<Adaptive, i16>>(),
-            (Paint::Textures(..), false, true) => self.bytes_with::<Skin<Adaptive, i32>>(),
-            (Paint::Textures(..), true, false) => self.bytes_with::<Lit<Adaptive, i16>>(),
-            (Paint::Textures(..), true, true) => self.bytes_with::<Lit<Adaptive, i32>>(),
+            (Paint::Textures(Correction::Affine, ..), _) => textured!(Nearest, Affine),
+            (Paint::Textures(Correction::Adaptive, ..), _) => textured!(Nearest, Adaptive),
         };
         bytes as u32
     }
@@ -364,12 +341,17 @@ impl Types {
             (Paint::Textures(..), false) => "TexturedFlat",
             (Paint::Textures(..), true) => "TexturedGouraud",
         };
-        let correction = match self.paint {
-            Paint::Textures(Correction::Affine, _) => "Affine",
-            _ => "Adaptive",
+        let (correction, filter) = match self.paint {
+            Paint::Textures(Correction::Affine, _, filter) => ("Affine", filter),
+            Paint::Textures(Correction::Adaptive, _, filter) => ("Adaptive", filter),
+            _ => ("Adaptive", Filter::NEAREST),
+        };
+        let filter = match filter.types() {
+            [filter, level] => format!("{filter}<{level}>"),
+            other => other.concat(),
         };
         let wide = if wide_coordinates { ", i32" } else { "" };
-        format!("{name}<'static, {texture}, Nearest, {correction}{wide}>")
+        format!("{name}<'static, {texture}, {filter}, {correction}{wide}>")
     }
 }
 
@@ -380,18 +362,7 @@ impl fmt::Display for Types {
         match self.paint {
             Paint::Materials => write!(f, "{shading}")?,
             Paint::Vertices => write!(f, "colored-{shading}")?,
-            Paint::Textures(correction, texels) => {
-                let correction = match correction {
-                    Correction::Affine => "affine",
-                    Correction::Adaptive => "adaptive",
-                };
-                let texels = match texels {
-                    Texels::Direct => "direct",
-                    Texels::Indexed8 => "indexed8",
-                    Texels::Indexed4 => "indexed4",
-                };
-                write!(f, "textured-{shading}-{correction}-{texels}")?;
-            }
+            paint @ Paint::Textures(..) => write!(f, "textured-{shading}{paint}")?,
         }
         let visibility = match self.visibility {
             Visibility::MeshOrder => "unordered",

@@ -48,8 +48,11 @@ Textures become as small as they are seen. A palette of 256 or 16 colours is tak
 colours as without one, or is as near to them as --palette-db says: where it takes at most 2 % more
 time, or where 16 bits for each texel do not fit the flash.
 
-Not planned: lines and points, highlights, fog, blending, shadows, filters of textures, several
-objects.
+They have mip levels if a tenth of the pixels would leave out most of the texels that they cover: one
+level for each triangle, or one for each pixel if distances differ by more than a factor of two within
+a triangle.
+
+Not planned: lines and points, highlights, fog, blending, shadows, trilinear filters, several objects.
 
 Exit status: 0 for success, 1 if it is slower than --fps, 2 for bad usage, bad input, or if nothing
 fits.";
@@ -142,6 +145,13 @@ pub(in crate::cli) struct Arguments {
     /// as in 35 [default: the same colours]
     #[arg(long, value_name = "DB", value_parser = within(0.0, 200.0))]
     palette_db: Option<f64>,
+    /// Which texels make the colour of a pixel: the nearest one, or four that are mixed, which is
+    /// smooth where texels are seen large
+    #[arg(long, default_value = "nearest", value_parser = choice(&[("nearest", false), ("bilinear", true)]))]
+    filter: bool,
+    /// Whether textures have mip levels [default: where the views need them]
+    #[arg(long, value_parser = choice(&[("no", false), ("yes", true)]))]
+    mipmaps: Option<bool>,
     #[command(flatten)]
     smoothing: Smoothing,
     /// Leave the pictures of materials out: they are drawn in their colours (`Kd`)
@@ -175,6 +185,8 @@ impl Arguments {
             background: [0; 3],
             wrong_part: self.wrong / 100.0,
             texels: self.texels,
+            is_bilinear: self.filter,
+            has_mip_levels: self.mipmaps,
             palette_db: self.palette_db.unwrap_or(f64::INFINITY),
         })
     }

@@ -5,7 +5,7 @@ use std::{fs, path::Path, process::Command};
 use anyhow::{Context as _, Result, ensure};
 use host_tools::{
     model::{Options, write_atomically},
-    plan::{Candidate, Costs, Paint, Plan, Study, Vertices},
+    plan::{Candidate, Costs, Filter, Paint, Plan, Study, Vertices},
 };
 use serde::{Deserialize, Serialize};
 
@@ -137,13 +137,16 @@ fn renderer(plan: &Plan) -> String {
     let light = choice("light").map(|light| format!("light {light}"));
     let is_stored = plan.chosen.types.vertices == Vertices::Stored;
     let vertices = choice("vertices").filter(|_| !is_stored);
-    // Of textures the palette.
-    let texels = match plan.chosen.types.paint {
-        Paint::Textures(_, texels) => Some(texels.title().to_owned()),
-        Paint::Materials | Paint::Vertices => None,
+    // Of textures the palette, and another filter than the simplest.
+    let (texels, filter) = match plan.chosen.types.paint {
+        Paint::Textures(_, texels, filter) => (
+            Some(texels.title().to_owned()),
+            (filter != Filter::NEAREST).then(|| filter.title().to_owned()),
+        ),
+        Paint::Materials | Paint::Vertices => (None, None),
     };
-    let parts =
-        [choice("visibility"), light, choice("perspective"), texels, choice("memory"), vertices];
+    let (visibility, perspective) = (choice("visibility"), choice("perspective"));
+    let parts = [visibility, light, perspective, texels, filter, choice("memory"), vertices];
     parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 

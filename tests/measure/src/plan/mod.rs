@@ -44,7 +44,7 @@ pub(crate) struct Arguments {
     /// Write the page of the plans
     #[arg(long, conflicts_with_all = ["scenes", "calibrate"])]
     save: bool,
-    /// Measure the costs of all renderers, which takes half an hour; those that are known are kept,
+    /// Measure the costs of all renderers, which takes an hour; those that are known are kept,
     /// so that it goes on where it was stopped
     #[arg(long, conflicts_with = "scenes")]
     calibrate: bool,

@@ -50,6 +50,10 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
             view([95.0, 60.0, 0.0]),
         ])
     };
+    let low = || {
+        let view = |turns_degrees| View { turns_degrees, distance: None };
+        Views::List(vec![view([0.0, 8.0, 0.0]), view([30.0, 12.0, 0.0]), view([75.0, 10.0, 5.0])])
+    };
     let table = [
         ("cube", Stiff(cube), M0plus, [320, 240], 32, turntable()),
         ("wooden_crate", Shipped, M4, [320, 240], 192, turntable()),
@@ -75,6 +79,10 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
         ("spot_orbit", Foreign, M0plus, [240, 240], 200, orbit()),
         // Little flash: only the smallest palette fits.
         ("die", Painted(die), M0plus, [320, 240], 64, turntable()),
+        // Seen along its length: far texels are small, near ones large.
+        ("floor", Painted(floor), M4, [320, 240], 96, low()),
+        ("die_mipmaps", Painted(die), M0plus, [320, 240], 64, few()),
+        ("wooden_crate_bilinear", Shipped, M4, [320, 240], 192, turntable()),
         ("wooden_crate_riscv", Shipped, Riscv, [320, 240], 192, turntable()),
         ("suzanne_riscv", Foreign, Riscv, [240, 240], 96, turntable()),
         ("needle_riscv", Stiff(needle), Riscv, [128, 160], 24, turntable()),
@@ -82,7 +90,11 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
     let mut scenes = Vec::new();
     for (name, model, core, display, kilobytes, views) in table {
         let shipped = firmware::root().join("host-tools/models");
-        let model_name = name.trim_end_matches("_orbit").trim_end_matches("_riscv");
+        let (is_bilinear, has_mip_levels) =
+            (name.ends_with("_bilinear"), name.ends_with("_mipmaps").then_some(true));
+        let model_name = ["_orbit", "_riscv", "_bilinear", "_mipmaps"]
+            .iter()
+            .fold(name, |name, what| name.trim_end_matches(what));
         let beside = |folder: &Path| folder.join(model_name).with_extension("obj");
         let file = match model {
             Shipped => beside(&shipped),
@@ -109,8 +121,10 @@ pub(super) fn all(folder: &Path) -> Result<Vec<Scene>> {
             clock_hz: core.usual_clock_mhz() * 1e6,
             views,
             flash_bytes: (name == "die").then_some(30 << 10),
-            // The corridor is long: its nearest end fills the view.
-            distance: if name == "corridor" { 1.25 } else { 3.0 },
+            is_bilinear,
+            has_mip_levels,
+            // The corridor and the floor are long: their nearest ends fill the view.
+            distance: if matches!(name, "corridor" | "floor") { 1.25 } else { 3.0 },
             ..Request::default()
         };
         scenes.push(Scene { name, file, request });
@@ -210,6 +224,15 @@ fn upright(at: [f64; 3], [width, height, depth]: [f64; 3]) -> [[f64; 3]; 8] {
         let up = if is_far(1) { height } else { 0.0 };
         [at[0] + side(0, width), at[1] + up, at[2] + side(2, depth)]
     })
+}
+
+/// Two triangles, on which the picture lies eight times in each direction.
+fn floor() -> String {
+    let mut text = String::from("mtllib floor.mtl\nusemtl a\n");
+    for [x, z] in [[0, 0], [0, 1], [1, 1], [1, 0]] {
+        let _ = writeln!(text, "v {x} 0 {z}\nvt {} {}", 8 * x, 8 * z);
+    }
+    text + "f 1/1 2/2 3/3 4/4\n"
 }
 
 fn plates() -> String {
