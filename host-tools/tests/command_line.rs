@@ -331,6 +331,24 @@ fn plan_writes_a_renderer_and_says_why() {
 }
 
 #[test]
+fn plan_takes_a_filter() {
+    let directory = tempfile::tempdir().unwrap();
+    let crate_model = concat!(env!("CARGO_MANIFEST_DIR"), "/models/wooden_crate.obj");
+    for (options, filter) in [
+        ("", "Nearest,"),
+        ("--filter nearest --mipmaps no", "Nearest,"),
+        ("--filter bilinear --mipmaps no", "Bilinear,"),
+        ("--mipmaps yes", "NearestMip<PerTriangle>,"),
+        ("--filter bilinear --mipmaps yes", "BilinearMip<PerTriangle>,"),
+    ] {
+        let line = format!("plan {crate_model} --ram 400K --steps 2 -o - {options}");
+        let source = succeed(directory.path(), &line);
+        let shading = source.lines().find(|line| line.starts_with("type Shading")).unwrap();
+        assert!(shading.contains(&format!(", {filter}")), "{options}: {shading}");
+    }
+}
+
+#[test]
 fn plans_that_cannot_be_are_refused() {
     let directory = directory_with("cube.obj", CUBE);
     let path = directory.path();

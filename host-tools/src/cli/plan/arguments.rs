@@ -3,7 +3,7 @@
 use std::{fs, path::PathBuf};
 
 use anyhow::{Context as _, Result, bail, ensure};
-use clap::Args;
+use clap::{ArgAction, Args};
 use host_tools::{
     model::{Options, TextureOptions},
     plan::{Core, Request, View, Views},
@@ -147,7 +147,12 @@ pub(in crate::cli) struct Arguments {
     palette_db: Option<f64>,
     /// Which texels make the colour of a pixel: the nearest one, or four that are mixed, which is
     /// smooth where texels are seen large
-    #[arg(long, default_value = "nearest", value_parser = choice(&[("nearest", false), ("bilinear", true)]))]
+    #[arg(
+        long,
+        action = ArgAction::Set,
+        default_value = "nearest",
+        value_parser = choice(&[("nearest", false), ("bilinear", true)])
+    )]
     filter: bool,
     /// Whether textures have mip levels [default: where the views need them]
     #[arg(long, value_parser = choice(&[("no", false), ("yes", true)]))]
