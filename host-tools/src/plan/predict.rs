@@ -79,16 +79,18 @@ pub(super) struct Estimator<'a> {
 impl<'a> Estimator<'a> {
     pub(super) fn new(study: &'a Study, costs: &'a Costs) -> Result<Self, PlanError> {
         let mut models: Vec<(Tables, Model)> = Vec::new();
-        // A decision compares with the filter that is not taken.
+        let paints = study.paints();
+        let own =
+            paints.iter().flat_map(|&paint| [false, true].map(|is_smooth| (paint, is_smooth)));
+        // A decision compares with the filter that is not taken, in the same light.
         let other = study.sampling.as_ref().map(Sampled::with_other_levels);
-        let others = study.paints().into_iter().filter_map(|paint| Some(paint.filtered(other?)));
-        for paint in study.paints().into_iter().chain(others) {
+        let others =
+            paints.iter().filter_map(|paint| Some((paint.filtered(other?), study.is_smooth())));
+        for (paint, is_smooth) in own.chain(others) {
             for visibility in study.considered() {
-                for is_smooth in [false, true] {
-                    let types = Types { is_smooth, paint, visibility, ..EVERYTHING };
-                    if !models.iter().any(|(tables, _)| *tables == types.tables()) {
-                        models.push((types.tables(), study.model(&types)?));
-                    }
+                let types = Types { is_smooth, paint, visibility, ..EVERYTHING };
+                if !models.iter().any(|(tables, _)| *tables == types.tables()) {
+                    models.push((types.tables(), study.model(&types)?));
                 }
             }
         }

@@ -334,17 +334,18 @@ impl Types {
 
     /// The shader's type, for the tables of a name.
     pub(super) fn shader(&self, texture: &str, wide_coordinates: bool) -> String {
-        let name = match (self.paint, self.is_smooth) {
-            (Paint::Materials, false) => return "Flat<Rgb565>".into(),
-            (Paint::Materials, true) => return "Gouraud<Rgb565>".into(),
-            (Paint::Vertices, _) => return "ColoredGouraud<Rgb565>".into(),
-            (Paint::Textures(..), false) => "TexturedFlat",
-            (Paint::Textures(..), true) => "TexturedGouraud",
+        let Paint::Textures(correction, _, filter) = self.paint else {
+            return match (self.paint, self.is_smooth) {
+                (Paint::Vertices, _) => "ColoredGouraud<Rgb565>",
+                (_, false) => "Flat<Rgb565>",
+                (_, true) => "Gouraud<Rgb565>",
+            }
+            .into();
         };
-        let (correction, filter) = match self.paint {
-            Paint::Textures(Correction::Affine, _, filter) => ("Affine", filter),
-            Paint::Textures(Correction::Adaptive, _, filter) => ("Adaptive", filter),
-            _ => ("Adaptive", Filter::NEAREST),
+        let name = if self.is_smooth { "TexturedGouraud" } else { "TexturedFlat" };
+        let correction = match correction {
+            Correction::Affine => "Affine",
+            Correction::Adaptive => "Adaptive",
         };
         let filter = match filter.types() {
             [filter, level] => format!("{filter}<{level}>"),
