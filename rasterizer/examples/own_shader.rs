@@ -17,7 +17,7 @@ use rasterizer::{
     mesh::{MeshMaterial, MeshVertex, RequiredTables},
     prelude::*,
     raster::Fragment,
-    shade::Ramp,
+    shade::{CodeSize, Ramp},
 };
 use rocket::ROCKET;
 use static_cell::ConstStaticCell;
@@ -43,6 +43,9 @@ impl Shader for Contours {
 
     /// Drawing a mesh without these is an error before the first pixel.
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
+
+    /// A pixel takes some twenty instructions, of which there may be several copies.
+    const CODE: CodeSize = CodeSize::Medium;
 
     /// Once a frame: with the light as the turned object sees it, normals need not be turned.
     fn for_object(&self, view: &ObjectView<'_>) -> Self {

@@ -15,6 +15,7 @@ mod bands;
 mod billboards;
 #[cfg(not(rasterizer_narrow))]
 mod blobs;
+mod claimed_cells;
 mod clip_planes;
 mod clipping;
 #[cfg(not(rasterizer_narrow))]

@@ -2,7 +2,7 @@
 
 use fixed::types::U0F32;
 
-use super::{Interpolate, Piece, Plane, QuickGradients, TriangleSetup, Whole};
+use super::{Interpolate, Piece, Plane, QuickGradients, TriangleSetup, Whole, clear::claim};
 use crate::numbers::Subpixel;
 
 /// How depth is stored: `u16`, [`FloatDepth`](super::FloatDepth), `u32`, or not at all.
@@ -10,6 +10,9 @@ use crate::numbers::Subpixel;
 /// Depth is near / w (in a parallel projection the remaining part of the way to the far plane): 1
 /// on the near plane, larger is nearer, and a buffer is cleared to 0. It is linear in screen space.
 pub trait DepthFormat: Interpolate<Field = Plane<<Self as Interpolate>::Walk>> {
+    /// Whether [`claim`](Self::claim) finds clear cells: no pixel's depth is 0, which clears them.
+    const HAS_CLEAR_CELLS: bool = false;
+
     /// The depth of a vertex from Q0.32. It is never 0, so that everything in front of the far
     /// plane wins against a cleared buffer.
     fn from_fraction(q32: u32) -> Self;
@@ -22,10 +25,28 @@ pub trait DepthFormat: Interpolate<Field = Plane<<Self as Interpolate>::Walk>> {
 
     /// Whether this depth is nearer than `stored`; always true if none is stored.
     fn is_nearer(self, stored: Self) -> bool;
+
+    /// Stores the depths of a run's first pixels up to the first cell that is not clear, and
+    /// returns their number. They are all visible. `depth` is that of the first pixel, and `step`
+    /// goes from each to the next.
+    #[inline(always)]
+    fn claim(_cells: &mut [Self], _depth: Self::Walk, _step: Self::Walk) -> usize {
+        0
+    }
+
+    /// Whether the first cell is clear, so that [`claim`](Self::claim) would store a depth.
+    #[inline(always)]
+    #[must_use]
+    fn starts_clear(_cells: &[Self]) -> bool {
+        false
+    }
 }
 
 /// Units of 1 / 65,536, rounded to the nearest; 1 is stored as 65,535.
 impl DepthFormat for u16 {
+    /// A vertex has a unit or more, and interpolation is off by less than half of one.
+    const HAS_CLEAR_CELLS: bool = true;
+
     #[inline(always)]
     fn from_fraction(q32: u32) -> Self {
         // Up to 2^16.
@@ -46,6 +67,16 @@ impl DepthFormat for u16 {
     #[inline(always)]
     fn is_nearer(self, stored: Self) -> bool {
         self > stored
+    }
+
+    #[inline(always)]
+    fn claim(cells: &mut [Self], depth: u32, step: u32) -> usize {
+        claim(cells, depth, step)
+    }
+
+    #[inline(always)]
+    fn starts_clear(cells: &[Self]) -> bool {
+        cells.first() == Some(&0)
     }
 }
 

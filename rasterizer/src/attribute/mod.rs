@@ -14,6 +14,7 @@
 //! bits; 32 bits in steps of 64. Arrays are of one type, tuples of several. [`Weights`] are
 //! barycentric coordinates, the one kind that a vertex has for each of its triangles.
 
+mod clear;
 mod components;
 mod depth;
 mod float;

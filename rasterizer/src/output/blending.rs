@@ -4,7 +4,7 @@ use super::{Readable, Target};
 use crate::{
     mesh::MeshMaterial,
     raster::{FragmentOf, Primitive, Window},
-    shade::Outcome,
+    shade::{CodeSize, Outcome},
 };
 
 /// How the pixels of an object are put onto a target: [`Replace`], or where the target's pixels can
@@ -135,6 +135,7 @@ impl<C, O: Outcome<C>, F: Fn(C, C) -> C> Outcome<C> for Blended<C, O, F> {
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = O::WRITES_DEPTH;
     const IS_BLENDED: bool = true;
+    const CODE: CodeSize = O::CODE.max(CodeSize::Medium);
 
     #[inline(always)]
     fn color(self) -> Option<C> {

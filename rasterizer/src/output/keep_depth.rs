@@ -7,7 +7,7 @@ use crate::{
     color::Alpha,
     mesh::MeshMaterial,
     raster::{FragmentOf, Primitive, Window},
-    shade::Outcome,
+    shade::{CodeSize, Outcome},
 };
 
 /// Another blending that does not store depth: what is drawn later is hidden by what was drawn
@@ -50,6 +50,7 @@ impl<C, O: Outcome<C>> Outcome<C> for Unstored<C, O> {
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = false;
     const IS_BLENDED: bool = O::IS_BLENDED;
+    const CODE: CodeSize = O::CODE;
     const HAS_ALPHA: bool = O::HAS_ALPHA;
 
     #[inline(always)]

@@ -5,6 +5,7 @@ mod bands;
 mod big_endian;
 mod bits;
 mod blending;
+mod cell;
 mod color;
 mod depth;
 mod direct;

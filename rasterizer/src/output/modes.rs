@@ -5,7 +5,7 @@ use crate::{
     color::{Alpha, Composite},
     mesh::MeshMaterial,
     raster::{FragmentOf, Primitive, Window},
-    shade::Outcome,
+    shade::{CodeSize, Outcome},
 };
 
 /// [`Blending`] by a method of [`Composite`].
@@ -88,6 +88,7 @@ impl<C, O: Outcome<C>, F: Fn(C, C, Alpha) -> C> Outcome<C> for Composed<C, O, F>
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = O::WRITES_DEPTH;
     const IS_BLENDED: bool = true;
+    const CODE: CodeSize = O::CODE.max(CodeSize::Medium);
 
     #[inline(always)]
     fn color(self) -> Option<C> {

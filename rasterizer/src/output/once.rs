@@ -6,7 +6,7 @@ use super::{FrameError, Readable, Target};
 use crate::{
     color::Alpha,
     raster::{FragmentOf, Primitive, Window},
-    shade::Outcome,
+    shade::{CodeSize, Outcome},
 };
 
 /// Another target of which each pixel is drawn once: what comes later leaves it. So a shadow that
@@ -149,6 +149,7 @@ impl<C, O: Outcome<C>> Outcome<C> for First<'_, C, O> {
     const WRITES_DEPTH: bool = O::WRITES_DEPTH;
     const HAS_ALPHA: bool = O::HAS_ALPHA;
     const IS_BLENDED: bool = O::IS_BLENDED;
+    const CODE: CodeSize = O::CODE;
 
     #[inline(always)]
     fn color(self) -> Option<C> {

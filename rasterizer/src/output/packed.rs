@@ -18,7 +18,7 @@ use super::{
 use crate::{
     attribute::NoDepth,
     raster::{FragmentOf, Layout, Primitive, Window},
-    shade::Outcome,
+    shade::{CodeSize, Outcome},
 };
 
 /// Colour and depth of a rectangle of the display, in memory that the caller owns: 1, 2 or 4 bits
@@ -314,6 +314,7 @@ impl<C: PackedColor, P: Outcome<C>> Outcome<()> for Stored<'_, C, P> {
     const DISCARDS: bool = P::DISCARDS;
     const WRITES_DEPTH: bool = P::WRITES_DEPTH;
     const IS_BLENDED: bool = P::IS_BLENDED;
+    const CODE: CodeSize = P::CODE.max(CodeSize::Medium);
 
     #[inline(always)]
     fn color(self) -> Option<()> {

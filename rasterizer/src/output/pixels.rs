@@ -1,17 +1,25 @@
 //! The loop over pixels: depth test, colour, next pixel.
+//!
+//! Pixels of a long run whose depth cells are clear need no test. [`DepthFormat::claim`] stores
+//! their depths, and a loop without test draws their colours. The rest of the run is tested.
 
-use core::convert::Infallible;
+use core::{convert::Infallible, mem};
 
+use super::cell::{Cell, Claimed};
 use crate::{
     attribute::{DepthFormat, Interpolate, Piece, Step as _},
     numbers::{IS_NARROW, codegen},
     raster::{Fragment, FragmentOf, Layout, Primitive, Span, Window},
-    shade::Outcome,
+    shade::{CodeSize, Outcome},
 };
 
 /// From this many pixels on, taking two at a time pays for a call: the loop costs 12 to 16
 /// instructions a pixel instead of 15 to 19.
 const LONG_RUN: usize = 16;
+
+/// From this many pixels on, clear cells are claimed: that saves 1 to 4 instructions a pixel, and
+/// two more calls take some 40.
+const LONG_CLAIM: usize = 32;
 
 /// Varyings of at most this size leave a narrow core the registers for blocks of more than two
 /// pixels without depth. What takes more is divided at each pixel, beside which a block saves
@@ -62,22 +70,91 @@ fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
     place: Place,
     pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
 ) {
-    // Of one length, they share the tests of a piece's ends.
     let pixels = span.end.wrapping_sub(span.start);
     let Some(colors) = colors.get_mut(span.start..span.end) else { return };
     let Some(cells) = cells.get_mut(span.start..span.end) else { return };
+    // Once for all pieces, which are often too short to pay for it.
+    let claimed =
+        if can_claim::<D, C, O>() { D::claim(cells, span.depth, span.depth_step) } else { 0 };
     let at = [span.start as i32, span.row];
-    let (mut start, mut depth) = (0, span.depth);
-    V::for_each_piece(span.varyings, at, pixels, |piece| {
-        let end = start + piece.pixels;
-        if let (Some(colors), Some(cells)) = (colors.get_mut(start..end), cells.get_mut(start..end))
-        {
-            let run = Run::<D, V>::of(depth, span.depth_step, piece);
-            run.draw_long(colors, cells, place.right(start), pixel);
+    let mut rest = Rest { colors, cells, unclaimed: pixels - claimed, span, place };
+    V::for_each_piece(span.varyings, at, pixels, |piece| rest.draw(piece, pixel));
+}
+
+/// Whether every pixel that is nearer stores its depth, so that clear cells can be claimed, and its
+/// code is short enough to be there twice.
+#[inline(always)]
+const fn can_claim<D: DepthFormat, C, O: Outcome<C>>() -> bool {
+    D::HAS_CLEAR_CELLS && O::WRITES_DEPTH && !O::DISCARDS && !matches!(O::CODE, CodeSize::Large)
+}
+
+/// What is left of a span.
+struct Rest<'a, 'f, C, D: DepthFormat, V: Interpolate> {
+    colors: &'a mut [C],
+    /// The cells of the whole span.
+    cells: &'a mut [D],
+    /// The pixels at its end whose cells are not claimed.
+    unclaimed: usize,
+    span: &'a Span<'f, D, V>,
+    /// Of its first pixel.
+    place: Place,
+}
+
+impl<C: Copy, D: DepthFormat, V: Interpolate> Rest<'_, '_, C, D, V> {
+    /// Draws the next piece.
+    #[inline(always)]
+    fn draw<O: Outcome<C>>(
+        &mut self,
+        piece: Piece<V::Walk>,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
+        let start = self.cells.len() - self.colors.len();
+        let Some((colors, later)) = mem::take(&mut self.colors).split_at_mut_checked(piece.pixels)
+        else {
+            return;
+        };
+        let (run, place) = (self.run(start, piece), self.place.right(start));
+        let left = later.len();
+        self.colors = later;
+        // Without depth there is no test either.
+        if size_of::<D>() == 0 || can_claim::<D, C, O>() && left >= self.unclaimed {
+            run.draw_claimed(colors, place, pixel);
+        } else if can_claim::<D, C, O>() {
+            self.draw_rest(start, (&piece.first, &piece.step), colors, pixel);
+        } else if let Some(cells) = self.cells.get_mut(start..start + colors.len()) {
+            run.draw_long(colors, cells, place, pixel);
         }
-        start = end;
-        depth = depth.wrapping_add(span.depth_step.wrapping_mul(piece.pixels as i32));
-    });
+    }
+
+    /// A piece of which not all cells are claimed.
+    // codegen: not inlined, because it is rare.
+    #[inline(never)]
+    fn draw_rest<O: Outcome<C>>(
+        &mut self,
+        start: usize,
+        (&first, &step): (&V::Walk, &V::Walk),
+        colors: &mut [C],
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
+        let pixels = colors.len();
+        let run = self.run(start, Piece { first, step, pixels });
+        let place = self.place.right(start);
+        let claimed = (self.colors.len() + pixels).saturating_sub(self.unclaimed);
+        let Some(cells) = self.cells.get_mut(start + claimed..start + pixels) else { return };
+        let Some((colors, others)) = colors.split_at_mut_checked(claimed) else { return };
+        if claimed != 0 {
+            run.draw_claimed(colors, place, pixel);
+        }
+        run.skip(claimed).draw_long(others, cells, place.right(claimed), pixel);
+    }
+
+    /// A piece from this pixel on.
+    #[inline(always)]
+    fn run(&self, start: usize, piece: Piece<V::Walk>) -> Run<D, V> {
+        let &Span { depth, depth_step, .. } = self.span;
+        let depth = depth.wrapping_add(depth_step.wrapping_mul(start as i32));
+        Run::of(depth, depth_step, piece)
+    }
 }
 
 /// The place of a pixel on the display.
@@ -179,7 +256,17 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         }
     }
 
-    /// Several pixels at a time.
+    /// Goes on to a later pixel.
+    #[inline(always)]
+    fn skip(self, pixels: usize) -> Self {
+        Self {
+            depth: self.depth.wrapping_add(self.depth_step.wrapping_mul(pixels as i32)),
+            varyings: self.varyings.wrapping_add(self.varyings_step.wrapping_mul(pixels as i32)),
+            ..self
+        }
+    }
+
+    /// Several pixels at a time, with a test if there is depth.
     #[inline(always)]
     fn draw_long<C: Copy, O: Outcome<C>>(
         self,
@@ -188,74 +275,151 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
         place: Place,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
+        if size_of::<D>() == 0 {
+            self.draw_claimed(colors, place, pixel);
+            return;
+        }
         let Self { depth, depth_step, varyings, varyings_step } = self;
         let (depth, varyings) = ((depth, depth_step), (&varyings, &varyings_step));
-        Self::draw_blocks(depth, varyings, colors, cells, place, pixel);
+        Self::draw_tested(depth, varyings, colors, cells, place, pixel);
     }
 
-    /// The same from depth and varyings with their steps.
+    /// Several pixels at a time that are tested, but for those at the start whose cells are clear.
     // codegen: not inlined, because it needs all registers. References to what has up to three
     // numbers become arguments for those that are read; one to a run, which has more, would keep it
     // in memory.
     #[inline(never)]
-    fn draw_blocks<C: Copy, O: Outcome<C>>(
+    fn draw_tested<C: Copy, O: Outcome<C>>(
+        (depth, depth_step): (D::Walk, D::Walk),
+        (&varyings, &varyings_step): (&V::Walk, &V::Walk),
+        mut colors: &mut [C],
+        mut cells: &mut [D],
+        mut place: Place,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
+        let mut run = Self { depth, depth_step, varyings, varyings_step };
+        if can_claim::<D, C, O>() && cells.len() >= LONG_CLAIM && D::starts_clear(cells) {
+            let (depth, varyings) = ((depth, depth_step), (&varyings, &varyings_step));
+            let claimed = Self::draw_clear(depth, varyings, colors, cells, place, pixel);
+            colors = colors.get_mut(claimed..).unwrap_or_default();
+            cells = cells.get_mut(claimed..).unwrap_or_default();
+            place = place.right(claimed);
+            run = run.skip(claimed);
+        }
+        run.draw_pairs(colors, cells, place, pixel);
+    }
+
+    /// Draws the first pixels of a run, up to the first cell that is not clear. Returns their
+    /// number.
+    // codegen: cold, so that the loop after it keeps its registers.
+    #[cold]
+    #[inline(never)]
+    fn draw_clear<C: Copy, O: Outcome<C>>(
         (depth, depth_step): (D::Walk, D::Walk),
         (&varyings, &varyings_step): (&V::Walk, &V::Walk),
         colors: &mut [C],
         cells: &mut [D],
         place: Place,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
-    ) {
-        let tests_depth = size_of::<D>() != 0;
-        // codegen: with one length for both; on a narrow core that costs the loop a register.
-        if !(IS_NARROW && tests_depth) && colors.len() != cells.len() {
-            return;
+    ) -> usize {
+        let claimed = D::claim(cells, depth, depth_step);
+        if let Some(colors) = colors.get_mut(..claimed) {
+            let run = Self { depth, depth_step, varyings, varyings_step };
+            run.draw_claimed(colors, place, pixel);
         }
+        claimed
+    }
+
+    /// Several pixels at a time that need no test.
+    #[inline(always)]
+    fn draw_claimed<C: Copy, O: Outcome<C>>(
+        self,
+        colors: &mut [C],
+        place: Place,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
+        let Self { depth, depth_step, varyings, varyings_step } = self;
+        let (depth, varyings) = ((depth, depth_step), (&varyings, &varyings_step));
+        Self::draw_untested(depth, varyings, colors, place, pixel);
+    }
+
+    /// The same from depth and varyings with their steps.
+    // codegen: not inlined, because it needs all registers.
+    #[inline(never)]
+    fn draw_untested<C: Copy, O: Outcome<C>>(
+        (depth, depth_step): (D::Walk, D::Walk),
+        (&varyings, &varyings_step): (&V::Walk, &V::Walk),
+        colors: &mut [C],
+        place: Place,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
         let run = Self { depth, depth_step, varyings, varyings_step };
         let has_few_registers = size_of::<V::Walk>() > FEW_BYTES;
-        // A blended pixel is long: to repeat it eight times takes flash, and saves little.
-        if IS_NARROW && !tests_depth && !has_few_registers && !O::IS_BLENDED {
-            run.draw_in_blocks_of::<8, _, _>(colors, cells, place, pixel);
+        if IS_NARROW && !has_few_registers && matches!(O::CODE, CodeSize::Small) {
+            run.draw_blocks(colors, place, pixel);
         } else {
-            run.draw_in_blocks_of::<2, _, _>(colors, cells, place, pixel);
+            Claimed::cells(colors.len(), |cells| run.draw_pairs(colors, cells, place, pixel));
         }
     }
 
-    /// `N` pixels at a time, an even number.
+    /// Two pixels at a time.
     #[inline(always)]
-    fn draw_in_blocks_of<const N: usize, C: Copy, O: Outcome<C>>(
+    fn draw_pairs<K: Cell<D>, C: Copy, O: Outcome<C>>(
         mut self,
         colors: &mut [C],
-        cells: &mut [D],
+        cells: &mut [K],
+        mut place: Place,
+        pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
+    ) {
+        // codegen: with one length for both; on a narrow core that costs the loop a register.
+        if !(IS_NARROW && size_of::<K>() != 0) && colors.len() != cells.len() {
+            return;
+        }
+        let (color_pairs, last_color) = colors.as_chunks_mut::<2>();
+        let (cell_pairs, last_cell) = cells.as_chunks_mut::<2>();
+        for (colors, cells) in color_pairs.iter_mut().zip(cell_pairs) {
+            codegen::keep_rolled();
+            // codegen: a loop over the one pair, without which long pixels lose a register.
+            let (colors, cells) = (colors.as_chunks_mut().0, cells.as_chunks_mut().0);
+            for ([color, next_color], [cell, next_cell]) in colors.iter_mut().zip(cells) {
+                self.draw_pixel(color, cell, place, pixel);
+                self.draw_pixel(next_color, next_cell, place.right(1), pixel);
+                place = place.right(2);
+            }
+        }
+        for (color, cell) in last_color.iter_mut().zip(last_cell) {
+            codegen::keep_rolled();
+            self.draw_pixel(color, cell, place, pixel);
+            place = place.right(1);
+        }
+    }
+
+    /// Eight pixels at a time that need no test.
+    #[inline(always)]
+    fn draw_blocks<C: Copy, O: Outcome<C>>(
+        mut self,
+        colors: &mut [C],
         mut place: Place,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         // codegen: the optimiser computes multiples of the steps for a longer block, and has no
         // registers for them, unless the values at its start have no law that it can see.
         let mut nothing = (D::Walk::ZERO, V::Walk::ZERO);
-        if N > 2 {
-            codegen::in_memory(&mut nothing);
-        }
-        let (color_blocks, last_colors) = colors.as_chunks_mut::<N>();
-        let (cell_blocks, last_cells) = cells.as_chunks_mut::<N>();
-        for (colors, cells) in color_blocks.iter_mut().zip(cell_blocks) {
+        codegen::in_memory(&mut nothing);
+        let (mut blocks, last) = colors.as_chunks_mut::<8>();
+        // codegen: an iterator would be compiled to an address and an index.
+        while let Some((block, later)) = mem::take(&mut blocks).split_first_mut() {
             codegen::keep_rolled();
-            if N > 2 {
-                self.depth = self.depth.wrapping_add(nothing.0);
-                self.varyings = self.varyings.wrapping_add(nothing.1);
-            }
-            let (color_pairs, cell_pairs) = (colors.as_chunks_mut().0, cells.as_chunks_mut().0);
-            for ([color, next_color], [cell, next_cell]) in color_pairs.iter_mut().zip(cell_pairs) {
-                self.draw_pixel(color, cell, place, pixel);
-                self.draw_pixel(next_color, next_cell, place.right(1), pixel);
+            self.depth = self.depth.wrapping_add(nothing.0);
+            self.varyings = self.varyings.wrapping_add(nothing.1);
+            for [color, next_color] in block.as_chunks_mut().0 {
+                self.draw_pixel(color, &mut Claimed, place, pixel);
+                self.draw_pixel(next_color, &mut Claimed, place.right(1), pixel);
                 place = place.right(2);
             }
+            blocks = later;
         }
-        for (color, cell) in last_colors.iter_mut().zip(last_cells) {
-            codegen::keep_rolled();
-            self.draw_pixel(color, cell, place, pixel);
-            place = place.right(1);
-        }
+        Claimed::cells(last.len(), |cells| self.draw_pairs(last, cells, place, pixel));
     }
 
     /// Draws the pixel at hand if it is nearer than what is stored, and goes on to the next.
@@ -263,23 +427,24 @@ impl<D: DepthFormat, V: Interpolate> Run<D, V> {
     fn draw_pixel<C: Copy, O: Outcome<C>>(
         &mut self,
         color: &mut C,
-        cell: &mut D,
+        cell: &mut impl Cell<D>,
         place: Place,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         let here = *self;
         self.step();
         let depth = D::at(here.depth);
-        if !depth.is_nearer(*cell) {
+        if !cell.is_behind(depth) {
+            codegen::unlikely();
             return;
         }
         // codegen: before the shader runs, where nothing can prevent it: one register less.
         if O::WRITES_DEPTH && !O::DISCARDS {
-            *cell = depth;
+            cell.store(depth);
         }
         if let Some(outcome) = pixel(*color, here.fragment(place)).color() {
             if O::WRITES_DEPTH && O::DISCARDS {
-                *cell = depth;
+                cell.store(depth);
             }
             *color = outcome;
         }

@@ -17,7 +17,7 @@ use crate::{
     numbers::Subpixel,
     output::{Blending, Readable, Target},
     raster::{DepthBias as _, Gradients, Triangle},
-    shade::{Face, OnScreen, Shader},
+    shade::{Face, OnScreen, Shaded, Shader},
 };
 
 /// An object as the camera sees it; it can be drawn into any number of targets, such as the bands
@@ -199,7 +199,8 @@ where
                     Face::Solid(color) => blending.fill(target, &triangle, &window, color),
                     Face::Shaded(face) => {
                         let pixels = self.shader.pixels(surface, face);
-                        blending.shade(target, &triangle, &window, pixels)
+                        let pixel = move |fragment| Shaded::<_, Sh>(pixels(fragment));
+                        blending.shade(target, &triangle, &window, pixel)
                     }
                 }
             })

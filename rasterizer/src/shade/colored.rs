@@ -3,7 +3,7 @@
 use core::marker::PhantomData;
 
 use super::{
-    Light, Lighting, Sample, Shader,
+    CodeSize, Light, Lighting, Sample, Shader,
     lighting::{Lit, vertex_level},
 };
 use crate::{
@@ -62,6 +62,8 @@ impl<C: Channels, M: Correction> Shader for Colored<C, M> {
     type Face = ();
     type Outcome = C;
 
+    const CODE: CodeSize = CodeSize::Medium;
+
     const TABLES: RequiredTables = COLORS;
 
     fn surface(&self, _: &MeshMaterial<'_>) {}
@@ -112,6 +114,8 @@ impl<C: Channels, M: Correction, L: Lighting> Shader for ColoredGouraud<C, M, L>
     type Surface = ();
     type Face = ();
     type Outcome = C;
+
+    const CODE: CodeSize = CodeSize::Medium;
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..COLORS };
 

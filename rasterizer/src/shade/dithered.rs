@@ -2,7 +2,7 @@
 
 use core::marker::PhantomData;
 
-use super::{Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner};
+use super::{CodeSize, Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner};
 use crate::{
     color::{Alpha, Dither, FullColor},
     geometry::ObjectView,
@@ -121,6 +121,8 @@ impl<Sh: Shader<Color: FullColor>, C: Dither, const SIZE: usize> Shader for Dith
     type Surface = Sh::Surface;
     type Face = Face<Sh::Color, Sh::Face>;
     type Outcome = DitheredPixel<Sh::Outcome, Sh::Color, SIZE>;
+
+    const CODE: CodeSize = Sh::CODE.max(CodeSize::Medium);
 
     const TABLES: RequiredTables = Sh::TABLES;
 

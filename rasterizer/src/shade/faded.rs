@@ -2,7 +2,7 @@
 
 use fixed::types::U16F16;
 
-use super::{Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner};
+use super::{CodeSize, Face, InnerPixel, OnScreen, Outcome, Sample, Shader, inner};
 use crate::{
     color::Alpha,
     geometry::ObjectView,
@@ -58,6 +58,8 @@ impl<Sh: Shader, F: Fn(&MeshVertex<'_>) -> Alpha + Clone> Shader for Faded<Sh, F
     type Surface = Sh::Surface;
     type Face = Face<Sh::Color, Sh::Face>;
     type Outcome = FadedPixel<Sh::Color, Sh::Outcome>;
+
+    const CODE: CodeSize = Sh::CODE.max(CodeSize::Medium);
 
     const TABLES: RequiredTables = Sh::TABLES;
 

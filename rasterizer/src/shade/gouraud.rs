@@ -4,7 +4,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 use fixed::types::U16F16;
 
 use super::{
-    Light, Lighting, Ramp, Shader,
+    CodeSize, Light, Lighting, Ramp, Shader,
     lighting::{Lit, vertex_level},
 };
 use crate::{
@@ -45,6 +45,8 @@ impl<C: Copy + From<Rgb888>, const LEVELS: usize, L: Lighting> Shader for Gourau
     type Surface = Ramp<C, LEVELS>;
     type Face = ();
     type Outcome = C;
+
+    const CODE: CodeSize = CodeSize::Small;
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 

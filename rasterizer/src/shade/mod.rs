@@ -24,6 +24,7 @@ mod ramp;
 mod recolored;
 #[cfg(test)]
 mod scenes;
+mod shaded;
 mod sprite;
 mod textured;
 mod visible;
@@ -42,6 +43,7 @@ pub use lighting::{FarViewer, Lamp, Level, Light, Lighting, NearViewer, ViewedFr
 pub use phong::{Phong, PhongCorrection};
 pub use ramp::Ramp;
 pub use recolored::Recolored;
+pub(crate) use shaded::Shaded;
 pub use sprite::{Frames, Sprite, Squares, TintedFrames};
 pub use textured::{
     Covered, Matcap, Slot, Textured, TexturedFlat, TexturedGouraud, VertexCoordinates,
@@ -50,7 +52,7 @@ pub use visible::{
     Deferred, DeferredPixel, NoWeights, Visibility, Visible, VisiblePixel, VisibleTriangle,
 };
 
-pub use crate::texture::{Layer, Outcome};
+pub use crate::texture::{CodeSize, Layer, Outcome};
 use crate::{
     attribute::{Interpolate, Varyings},
     geometry::ObjectView,
@@ -107,6 +109,10 @@ pub trait Shader: Clone {
     /// The result for a pixel: the colour, an `Option` of it in a shader that discards pixels, or a
     /// [`Layer`] in one that gives each pixel an alpha.
     type Outcome: Outcome<Self::Color>;
+
+    /// How much code [`pixel`](Self::pixel) takes: how many copies of it loops may have. It changes
+    /// run time and flash, never the picture.
+    const CODE: CodeSize = CodeSize::Large;
 
     /// The mesh tables that the shader reads. Drawing a mesh without one of them is an error.
     const TABLES: RequiredTables = RequiredTables::NONE;

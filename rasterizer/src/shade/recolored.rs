@@ -2,7 +2,7 @@
 
 use embedded_graphics_core::pixelcolor::Rgb888;
 
-use super::{Face, OnScreen, Sample, Shader};
+use super::{CodeSize, Face, OnScreen, Sample, Shader};
 use crate::{
     geometry::ObjectView,
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
@@ -57,6 +57,8 @@ impl<Sh: Shader> Shader for Recolored<Sh> {
     type Surface = Sh::Surface;
     type Face = Sh::Face;
     type Outcome = Sh::Outcome;
+
+    const CODE: CodeSize = Sh::CODE;
 
     const TABLES: RequiredTables = Sh::TABLES;
 

@@ -1,7 +1,7 @@
 //! Which texels make the colour of a pixel.
 
 use super::{
-    ColorOf, Footprint, Grid, MipLevel, Mipmapped, Mix, Texel as _, TexelMap, TexelOf,
+    CodeSize, ColorOf, Footprint, Grid, MipLevel, Mipmapped, Mix, Texel as _, TexelMap, TexelOf,
     TextureVarying, WithInverseW, footprint::Slope,
 };
 use crate::{attribute::InverseW, color::Alpha, numbers::codegen};
@@ -13,6 +13,9 @@ pub trait Filter<T: TexelMap>: Copy {
     type Coordinates<V: TextureVarying>: TextureVarying<Sample = V::Sample> + From<V>;
     /// What is computed once a triangle.
     type Face: Copy + Default;
+
+    /// How much code a sample takes.
+    const CODE: CodeSize = CodeSize::Large;
 
     /// Computes it. `footprint` is called by filters that take mip levels.
     fn face(map: &T, footprint: impl FnOnce() -> Footprint) -> Self::Face;
@@ -35,6 +38,8 @@ pub struct Nearest;
 impl<T: TexelMap> Filter<T> for Nearest {
     type Coordinates<V: TextureVarying> = V;
     type Face = ();
+
+    const CODE: CodeSize = CodeSize::Small;
 
     #[inline(always)]
     fn face(_: &T, _: impl FnOnce() -> Footprint) {}
@@ -67,6 +72,8 @@ where
 {
     type Coordinates<V: TextureVarying> = V;
     type Face = ();
+
+    const CODE: CodeSize = CodeSize::Medium;
 
     #[inline(always)]
     fn face(_: &T, _: impl FnOnce() -> Footprint) {}
@@ -176,6 +183,8 @@ pub struct Trilinear<L = PerTriangle>(pub L);
 impl<T: Mipmapped, L: LevelChoice> Filter<T> for NearestMip<L> {
     type Coordinates<V: TextureVarying> = L::Coordinates<V>;
     type Face = L::Face;
+
+    const CODE: CodeSize = CodeSize::Medium;
 
     #[inline(always)]
     fn face(map: &T, footprint: impl FnOnce() -> Footprint) -> L::Face {

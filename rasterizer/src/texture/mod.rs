@@ -83,7 +83,7 @@ pub(crate) use mix::Spread;
 pub use offset::Offset;
 pub use shaded::{SHADES, Shaded};
 pub use slices::{ColorSlice, IndexedSlice, MaskedSlice, ShadedSlice};
-pub use texel::{Outcome, Texel};
+pub use texel::{CodeSize, Outcome, Texel};
 pub use texels::{Counts, LitTexels, StoredTexels, Table, Texels};
 pub use translucent::{Translucent, TranslucentPalette};
 pub use varying::{TextureVarying, WithInverseW};

@@ -2,6 +2,29 @@
 
 use crate::color::Alpha;
 
+/// How much code the colour of a pixel takes. It decides how many copies of it there are.
+///
+/// [`Small`](Self::Small) colours are drawn by up to eight pixels at a time, where that saves more
+/// than it costs. Pixels whose depth cells are clear need no depth test, and are drawn by a loop of
+/// their own, unless their colours are [`Large`](Self::Large).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum CodeSize {
+    /// A dozen instructions, as for the nearest texel.
+    Small,
+    /// Up to about a hundred, as for a mean of four texels.
+    Medium,
+    /// More than that, or not known: one copy or two.
+    Large,
+}
+
+impl CodeSize {
+    /// Of both together: at least that of the larger one.
+    #[must_use]
+    pub const fn max(self, other: Self) -> Self {
+        if self as u8 > other as u8 { self } else { other }
+    }
+}
+
 /// What a shader makes of a pixel: a colour, an `Option` of one, or a [`Layer`](super::Layer).
 /// `None` discards the pixel, which keeps its colour and its depth.
 pub trait Outcome<C>: Sized {
@@ -16,6 +39,9 @@ pub trait Outcome<C>: Sized {
 
     /// Whether [`layer`](Self::layer) may be anything but opaque.
     const HAS_ALPHA: bool = false;
+
+    /// How much code it takes.
+    const CODE: CodeSize = CodeSize::Large;
 
     /// Returns the colour, or `None` to discard the pixel.
     fn color(self) -> Option<C>;

@@ -6,6 +6,7 @@ use super::{
     super::{
         Face, Light, Lighting, OnScreen, Sample, Shader, flat::scaled_color, lighting::face_level,
     },
+    CodeSize,
     skin::{
         ColorOf, Covered, FaceOf, LightOf, Skin, Slot, TexelOf, TexelsOf, Varying,
         VertexCoordinates, bare,
@@ -89,6 +90,8 @@ where
     type Surface = Covered<S, Rgb888>;
     type Face = (FaceOf<S, F>, LightOf<S>);
     type Outcome = TexelOf<S>;
+
+    const CODE: CodeSize = F::CODE.max(CodeSize::Medium);
 
     const TABLES: RequiredTables = RequiredTables { face_normals: true, ..C::TABLES };
 

@@ -6,6 +6,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
     super::{Face, Light, Lighting, OnScreen, Sample, Shader, lighting::vertex_level},
+    CodeSize,
     skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates},
 };
 use crate::{
@@ -96,6 +97,8 @@ where
     type Surface = Covered<S, ColorOf<S>>;
     type Face = FaceOf<S, F>;
     type Outcome = TexelOf<S>;
+
+    const CODE: CodeSize = F::CODE.max(CodeSize::Medium);
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..C::TABLES };
 

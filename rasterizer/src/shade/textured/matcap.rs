@@ -4,6 +4,7 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
     super::{Face, OnScreen, Sample, Shader},
+    CodeSize,
     skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying},
 };
 use crate::{
@@ -99,6 +100,8 @@ where
     type Surface = Covered<S, ColorOf<S>>;
     type Face = FaceOf<S, F>;
     type Outcome = TexelOf<S>;
+
+    const CODE: CodeSize = F::CODE.max(CodeSize::Medium);
 
     const TABLES: RequiredTables = RequiredTables { vertex_normals: true, ..RequiredTables::NONE };
 

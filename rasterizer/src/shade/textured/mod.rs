@@ -16,7 +16,7 @@ pub use self::{
     matcap::Matcap,
     skin::{Covered, Slot, VertexCoordinates},
 };
-use super::{Face, OnScreen, Sample, Shader};
+use super::{CodeSize, Face, OnScreen, Sample, Shader};
 use crate::{
     attribute::{Adaptive, Correction},
     mesh::{MeshFace, MeshMaterial, MeshVertex, RequiredTables},
@@ -107,6 +107,8 @@ where
     type Surface = Covered<S, ColorOf<S>>;
     type Face = FaceOf<S, F>;
     type Outcome = TexelOf<S>;
+
+    const CODE: CodeSize = F::CODE;
 
     const TABLES: RequiredTables = C::TABLES;
 
