@@ -134,7 +134,6 @@ struct Blended<C, O, F> {
 impl<C, O: Outcome<C>, F: Fn(C, C) -> C> Outcome<C> for Blended<C, O, F> {
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = O::WRITES_DEPTH;
-    const IS_BLENDED: bool = true;
     const CODE: CodeSize = O::CODE.max(CodeSize::Medium);
 
     #[inline(always)]

@@ -49,7 +49,6 @@ struct Unstored<C, O> {
 impl<C, O: Outcome<C>> Outcome<C> for Unstored<C, O> {
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = false;
-    const IS_BLENDED: bool = O::IS_BLENDED;
     const CODE: CodeSize = O::CODE;
     const HAS_ALPHA: bool = O::HAS_ALPHA;
 

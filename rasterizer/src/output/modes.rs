@@ -87,7 +87,6 @@ struct Composed<C, O, F> {
 impl<C, O: Outcome<C>, F: Fn(C, C, Alpha) -> C> Outcome<C> for Composed<C, O, F> {
     const DISCARDS: bool = O::DISCARDS;
     const WRITES_DEPTH: bool = O::WRITES_DEPTH;
-    const IS_BLENDED: bool = true;
     const CODE: CodeSize = O::CODE.max(CodeSize::Medium);
 
     #[inline(always)]

@@ -148,7 +148,6 @@ impl<C, O: Outcome<C>> Outcome<C> for First<'_, C, O> {
     const DISCARDS: bool = true;
     const WRITES_DEPTH: bool = O::WRITES_DEPTH;
     const HAS_ALPHA: bool = O::HAS_ALPHA;
-    const IS_BLENDED: bool = O::IS_BLENDED;
     const CODE: CodeSize = O::CODE;
 
     #[inline(always)]

@@ -313,7 +313,6 @@ struct Stored<'b, C, P> {
 impl<C: PackedColor, P: Outcome<C>> Outcome<()> for Stored<'_, C, P> {
     const DISCARDS: bool = P::DISCARDS;
     const WRITES_DEPTH: bool = P::WRITES_DEPTH;
-    const IS_BLENDED: bool = P::IS_BLENDED;
     const CODE: CodeSize = P::CODE.max(CodeSize::Medium);
 
     #[inline(always)]

@@ -9,7 +9,6 @@ pub(crate) struct Shaded<C, Sh: Shader<Color = C>>(pub(crate) Sh::Outcome);
 impl<C, Sh: Shader<Color = C>> Outcome<C> for Shaded<C, Sh> {
     const DISCARDS: bool = Sh::Outcome::DISCARDS;
     const WRITES_DEPTH: bool = Sh::Outcome::WRITES_DEPTH;
-    const IS_BLENDED: bool = Sh::Outcome::IS_BLENDED;
     const HAS_ALPHA: bool = Sh::Outcome::HAS_ALPHA;
     const CODE: CodeSize = Sh::CODE;
 

@@ -7,7 +7,7 @@ use crate::color::Alpha;
 /// [`Small`](Self::Small) colours are drawn by up to eight pixels at a time, where that saves more
 /// than it costs. Pixels whose depth cells are clear need no depth test, and are drawn by a loop of
 /// their own, unless their colours are [`Large`](Self::Large).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum CodeSize {
     /// A dozen instructions, as for the nearest texel.
     Small,
@@ -33,9 +33,6 @@ pub trait Outcome<C>: Sized {
 
     /// Whether a pixel that is not discarded stores its depth.
     const WRITES_DEPTH: bool = true;
-
-    /// Whether the colour is blended with the stored one.
-    const IS_BLENDED: bool = false;
 
     /// Whether [`layer`](Self::layer) may be anything but opaque.
     const HAS_ALPHA: bool = false;

@@ -4,9 +4,9 @@ use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
     super::{
-        Face, Light, Lighting, OnScreen, Sample, Shader, flat::scaled_color, lighting::face_level,
+        CodeSize, Face, Light, Lighting, OnScreen, Sample, Shader, flat::scaled_color,
+        lighting::face_level,
     },
-    CodeSize,
     skin::{
         ColorOf, Covered, FaceOf, LightOf, Skin, Slot, TexelOf, TexelsOf, Varying,
         VertexCoordinates, bare,

@@ -5,8 +5,7 @@ use core::marker::PhantomData;
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
-    super::{Face, Light, Lighting, OnScreen, Sample, Shader, lighting::vertex_level},
-    CodeSize,
+    super::{CodeSize, Face, Light, Lighting, OnScreen, Sample, Shader, lighting::vertex_level},
     skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, TexelsOf, Varying, VertexCoordinates},
 };
 use crate::{

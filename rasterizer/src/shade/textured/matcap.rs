@@ -3,8 +3,7 @@
 use embedded_graphics_core::pixelcolor::Rgb888;
 
 use super::{
-    super::{Face, OnScreen, Sample, Shader},
-    CodeSize,
+    super::{CodeSize, Face, OnScreen, Sample, Shader},
     skin::{ColorOf, Covered, FaceOf, Skin, Slot, TexelOf, Varying},
 };
 use crate::{
