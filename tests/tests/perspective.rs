@@ -121,12 +121,17 @@ where
     let layout = Layout { pitch: 320, origin: 0 };
     let Ok(()) = triangle.for_each_span(&WINDOW, layout, |span| {
         let mut column = span.start as i32 - span.row * 320;
-        let (first, rest) = M::OnScreen::<V>::walk(
-            span.varyings,
-            [span.start as i32, span.row],
-            span.end - span.start,
-        );
-        for piece in [first].into_iter().chain(rest) {
+        let (at, pixels) = ([span.start as i32, span.row], span.end - span.start);
+        let (first, rest) = M::OnScreen::<V>::walk(span.varyings, at, pixels);
+        let pieces: Vec<_> = [first].into_iter().chain(rest).collect();
+        let (mut visited, mut left) = (pieces.iter(), pixels);
+        M::OnScreen::<V>::for_each_piece(span.varyings, at, pixels, |piece| {
+            assert_eq!(format!("{piece:?}"), format!("{:?}", visited.next().unwrap()));
+            left -= piece.pixels;
+            left
+        });
+        assert_eq!((visited.len(), left), (0, 0), "both ways along a span have the same pieces");
+        for piece in pieces {
             let mut value = piece.first;
             for _ in 0..piece.pixels {
                 visit(column, span.row, M::OnScreen::<V>::sample(value));

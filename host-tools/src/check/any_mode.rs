@@ -173,7 +173,7 @@ impl<V: Components> Interpolate for InAnyMode<V> {
         field: &Self::Field,
         at: [i32; 2],
         pixels: usize,
-        mut visit: impl FnMut(Piece<Self::Walk>),
+        mut visit: impl FnMut(Piece<Self::Walk>) -> usize,
     ) {
         for_each_piece::<V>(field, at, pixels, &mut visit);
     }
@@ -194,15 +194,17 @@ fn for_each_piece<V: Components>(
     field: &<InAnyMode<V> as Interpolate>::Field,
     at: [i32; 2],
     pixels: usize,
-    visit: &mut dyn FnMut(Piece<<InAnyMode<V> as Interpolate>::Walk>),
+    visit: &mut dyn FnMut(Piece<<InAnyMode<V> as Interpolate>::Walk>) -> usize,
 ) {
     match field {
-        Of::Linear(field) => Linear::<V>::for_each_piece(field, at, pixels, |piece| {
-            visit(piece_of(piece, Of::Linear));
-        }),
-        Of::Exact(field) => Exact::<V>::for_each_piece(field, at, pixels, |piece| {
-            visit(piece_of(piece, Of::Exact));
-        }),
+        Of::Linear(field) => {
+            let visit = |piece| visit(piece_of(piece, Of::Linear));
+            Linear::<V>::for_each_piece(field, at, pixels, visit);
+        }
+        Of::Exact(field) => {
+            let visit = |piece| visit(piece_of(piece, Of::Exact));
+            Exact::<V>::for_each_piece(field, at, pixels, visit);
+        }
         &Of::Stepped(ref field, mode) => {
             let visit = |piece| visit(piece_of(piece, |walk| Of::Stepped(walk, mode)));
             by_steps!(mode, for_each_piece(field, at, pixels, visit));

@@ -90,7 +90,12 @@ impl Target for Counter {
             let (at, pixels) = ([span.start as i32, span.row], span.end - span.start);
             if Q::Varyings::whole(span.varyings, at, pixels).is_none() {
                 rows += 1;
-                Q::Varyings::for_each_piece(span.varyings, at, pixels, |_| pieces += 1);
+                let mut left = pixels;
+                Q::Varyings::for_each_piece(span.varyings, at, pixels, |piece| {
+                    pieces += 1;
+                    left -= piece.pixels;
+                    left
+                });
             }
             Ok::<(), Infallible>(())
         })?;

@@ -156,17 +156,17 @@ pub trait Interpolate: Copy {
     /// The first piece of such a span, and the pieces after it.
     fn walk(field: &Self::Field, at: [i32; 2], pixels: usize) -> (Piece<Self::Walk>, Self::Rest);
 
-    /// Visits all pieces of such a span.
+    /// Visits all pieces of such a span, from left to right. `visit` returns the number of pixels
+    /// behind the piece, which its caller counts anyway.
     #[inline(always)]
     fn for_each_piece(
         field: &Self::Field,
         at: [i32; 2],
         pixels: usize,
-        mut visit: impl FnMut(Piece<Self::Walk>),
+        mut visit: impl FnMut(Piece<Self::Walk>) -> usize,
     ) {
         let (first, rest) = Self::walk(field, at, pixels);
-        visit(first);
-        rest.for_each(visit);
+        core::iter::once(first).chain(rest).for_each(|piece| _ = visit(piece));
     }
 
     /// Returns the value that a shader sees.

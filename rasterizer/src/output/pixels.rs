@@ -81,9 +81,17 @@ fn draw_pieces<C: Copy, D: DepthFormat, V: Interpolate, O: Outcome<C>>(
     // Once for all pieces, which are often too short to pay for it.
     let claimed =
         if can_claim::<D, C, O>() { D::claim(cells, span.depth, span.depth_step) } else { 0 };
+    let mut whole = PiecedSpan { cells, unclaimed: pixels - claimed, span, place };
     let at = [span.start as i32, span.row];
-    let mut rest = Rest { colors, cells, unclaimed: pixels - claimed, span, place };
-    V::for_each_piece(span.varyings, at, pixels, |piece| rest.draw(piece, pixel));
+    let mut rest = colors;
+    V::for_each_piece(span.varyings, at, pixels, |piece| {
+        let (colors, later) =
+            mem::take(&mut rest).split_at_mut_checked(piece.pixels).unwrap_or_default();
+        let left = later.len();
+        whole.draw(piece, colors, left, pixel);
+        rest = later;
+        left
+    });
 }
 
 /// Whether every pixel that is nearer stores its depth, so that clear cells can be claimed, and its
@@ -93,10 +101,8 @@ const fn can_claim<D: DepthFormat, C, O: Outcome<C>>() -> bool {
     D::HAS_CLEAR_CELLS && O::WRITES_DEPTH && !O::DISCARDS && !matches!(O::CODE, CodeSize::Large)
 }
 
-/// What is left of a span.
-struct Rest<'a, 'f, C, D: DepthFormat, V: Interpolate> {
-    colors: &'a mut [C],
-    /// The cells of the whole span.
+/// A span in several pieces.
+struct PiecedSpan<'a, 'f, D: DepthFormat, V: Interpolate> {
     cells: &'a mut [D],
     /// The pixels at its end whose cells are not claimed.
     unclaimed: usize,
@@ -105,46 +111,45 @@ struct Rest<'a, 'f, C, D: DepthFormat, V: Interpolate> {
     place: Place,
 }
 
-impl<C: Copy, D: DepthFormat, V: Interpolate> Rest<'_, '_, C, D, V> {
-    /// Draws the next piece.
+impl<D: DepthFormat, V: Interpolate> PiecedSpan<'_, '_, D, V> {
+    /// Draws the piece before the last `left` pixels.
     #[inline(always)]
-    fn draw<O: Outcome<C>>(
+    fn draw<C: Copy, O: Outcome<C>>(
         &mut self,
         piece: Piece<V::Walk>,
+        colors: &mut [C],
+        left: usize,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
-        let start = self.cells.len() - self.colors.len();
-        let Some((colors, later)) = mem::take(&mut self.colors).split_at_mut_checked(piece.pixels)
-        else {
-            return;
-        };
+        let start = self.cells.len() - left - colors.len();
         let (run, place) = (self.run(start, piece), self.place.right(start));
-        let left = later.len();
-        self.colors = later;
         // Without depth there is no test either.
         if size_of::<D>() == 0 || can_claim::<D, C, O>() && left >= self.unclaimed {
             run.draw_claimed(colors, place, pixel);
         } else if can_claim::<D, C, O>() {
-            self.draw_rest(start, (&piece.first, &piece.step), colors, pixel);
+            // codegen: a copy, so that the piece is in registers elsewhere.
+            let mut piece = piece;
+            codegen::in_memory(&mut piece);
+            self.draw_partly_claimed(&piece, colors, left, pixel);
         } else if let Some(cells) = self.cells.get_mut(start..start + colors.len()) {
             run.draw_long(colors, cells, place, pixel);
         }
     }
 
-    /// A piece of which not all cells are claimed.
+    /// The same for a piece of which not all cells are claimed.
     // codegen: not inlined, because it is rare.
     #[inline(never)]
-    fn draw_rest<O: Outcome<C>>(
+    fn draw_partly_claimed<C: Copy, O: Outcome<C>>(
         &mut self,
-        start: usize,
-        (&first, &step): (&V::Walk, &V::Walk),
+        &piece: &Piece<V::Walk>,
         colors: &mut [C],
+        left: usize,
         pixel: impl Fn(C, Fragment<V::Sample>) -> O + Copy,
     ) {
         let pixels = colors.len();
-        let run = self.run(start, Piece { first, step, pixels });
-        let place = self.place.right(start);
-        let claimed = (self.colors.len() + pixels).saturating_sub(self.unclaimed);
+        let start = self.cells.len() - left - pixels;
+        let (run, place) = (self.run(start, piece), self.place.right(start));
+        let claimed = (left + pixels).saturating_sub(self.unclaimed);
         let Some(cells) = self.cells.get_mut(start + claimed..start + pixels) else { return };
         let Some((colors, others)) = colors.split_at_mut_checked(claimed) else { return };
         if claimed != 0 {

@@ -177,8 +177,6 @@ pub struct QuickPieces<V: Components> {
     quotients: V::Each<i32>,
     /// The pixels of a step.
     length: usize,
-    /// From the next pixel to the end of the span.
-    pub(super) pixels: usize,
 }
 
 impl<V: Components> QuickPieces<V> {
@@ -211,16 +209,16 @@ impl<V: Components> QuickPieces<V> {
             zeros: field.zeros,
             quotients,
             length,
-            pixels,
         }
     }
 
-    /// The next step, of which there is one: to a division after `length` pixels or at the span's
-    /// last pixel, where the triangle has a value.
+    /// The next step, with this many pixels from its first one to the end of the span, at least 1.
+    /// It leads to a division after `length` pixels or at the span's last pixel, where the triangle
+    /// has a value.
     #[inline(always)]
-    pub(super) fn piece(&mut self) -> Piece<SteppedWalk<V>> {
-        let way = self.length.min(self.pixels - 1);
-        let pixels = way + usize::from(way < self.length);
+    pub(super) fn piece(&mut self, left: usize) -> Piece<SteppedWalk<V>> {
+        let pixels = self.length.min(left);
+        let way = pixels - usize::from(pixels == left);
         let (q, from) = (self.q, self.quotients);
         let to = |at: u32, step: u32| at.wrapping_add(step.wrapping_mul(way as u32));
         self.q = to(q, self.q_step);
@@ -229,7 +227,6 @@ impl<V: Components> QuickPieces<V> {
         }
         let reciprocal = reciprocal(self.q >> DROPPED);
         self.quotients = divided::<V>(reciprocal, &self.numerators);
-        self.pixels -= pixels;
         let change = self.q.wrapping_sub(q).cast_signed() >> DROPPED;
         // dq / q1, from -3 to 3/4, in Q14.
         let ratio = (change * (reciprocal >> 2) + (1 << 13)) >> 14;
@@ -319,9 +316,8 @@ mod tests {
                 zeros: 0,
                 quotients: divided::<u16>(reciprocal(q >> DROPPED), &numerators),
                 length: 15,
-                pixels: 16,
             };
-            let piece = pieces.piece();
+            let piece = pieces.piece(16);
             let (q, last) = (f64::from(q), f64::from(last));
             // Components of u16 have 13 digits, and are stepped with 16, half a unit above.
             let unit = 2f64.powi(29 + 3);

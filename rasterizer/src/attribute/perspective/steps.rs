@@ -132,11 +132,13 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
             }
             SteppedField::Divided(field, law) => {
                 let mut pieces = Pieces::new::<P>(field, law, at, pixels);
-                (pieces.piece(), Rest::Divided(pieces))
+                let piece = pieces.piece(pixels);
+                (piece, Rest::Divided(pieces, pixels - piece.pixels))
             }
             SteppedField::Quick(field) => {
                 let mut pieces = QuickPieces::new::<P>(field, at, pixels);
-                (pieces.piece(), Rest::Quick(pieces))
+                let piece = pieces.piece(pixels);
+                (piece, Rest::Quick(pieces, pixels - piece.pixels))
             }
         }
     }
@@ -146,7 +148,7 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
         field: &SteppedField<V>,
         at: [i32; 2],
         pixels: usize,
-        mut visit: impl FnMut(Piece<SteppedWalk<V>>),
+        mut visit: impl FnMut(Piece<SteppedWalk<V>>) -> usize,
     ) {
         match field {
             SteppedField::Short(plane, inverse_w) => {
@@ -154,19 +156,21 @@ impl<V: Components, P: Pace> Interpolate for InSteps<V, P> {
             }
             SteppedField::Affine(field, inverse_w) => {
                 V::for_each_piece(field, at, pixels, |piece| {
-                    visit(SteppedWalk::affine(piece, *inverse_w));
+                    visit(SteppedWalk::affine(piece, *inverse_w))
                 });
             }
             SteppedField::Divided(field, law) => {
                 let mut pieces = Pieces::new::<P>(field, law, at, pixels);
-                while pieces.pixels != 0 {
-                    visit(pieces.piece());
+                let mut left = pixels;
+                while left != 0 {
+                    left = visit(pieces.piece(left));
                 }
             }
             SteppedField::Quick(field) => {
                 let mut pieces = QuickPieces::new::<P>(field, at, pixels);
-                while pieces.pixels != 0 {
-                    visit(pieces.piece());
+                let mut left = pixels;
+                while left != 0 {
+                    left = visit(pieces.piece(left));
                 }
             }
         }
@@ -226,7 +230,7 @@ impl<V: Components> Step for SteppedWalk<V> {
             inverse_w: if V::READS_INVERSE_W {
                 self.inverse_w.wrapping_add(change.inverse_w)
             } else {
-                0
+                self.inverse_w
             },
         }
     }
@@ -247,10 +251,10 @@ pub enum Rest<V: Components> {
     Nothing,
     /// Linear on the screen.
     Affine(V::Rest, InverseW),
-    /// Divided.
-    Divided(Pieces<V>),
-    /// Divided in 16 bits.
-    Quick(QuickPieces<V>),
+    /// Divided, with the number of pixels that are left.
+    Divided(Pieces<V>, usize),
+    /// Divided in 16 bits, with the number of pixels that are left.
+    Quick(QuickPieces<V>, usize),
 }
 
 impl<V: Components> Iterator for Rest<V> {
@@ -261,10 +265,20 @@ impl<V: Components> Iterator for Rest<V> {
         match self {
             Self::Nothing => None,
             Self::Affine(rest, inverse_w) => Some(SteppedWalk::affine(rest.next()?, *inverse_w)),
-            Self::Divided(pieces) => (pieces.pixels != 0).then(|| pieces.piece()),
-            Self::Quick(pieces) => (pieces.pixels != 0).then(|| pieces.piece()),
+            Self::Divided(pieces, left) => next(left, |left| pieces.piece(left)),
+            Self::Quick(pieces, left) => next(left, |left| pieces.piece(left)),
         }
     }
+}
+
+/// The next piece, if pixels are left.
+#[inline(always)]
+fn next<W>(left: &mut usize, piece: impl FnOnce(usize) -> Piece<W>) -> Option<Piece<W>> {
+    (*left != 0).then(|| {
+        let piece = piece(*left);
+        *left -= piece.pixels;
+        piece
+    })
 }
 
 /// The steps of a span after its first one.
@@ -279,8 +293,6 @@ pub struct Pieces<V: Components> {
     block: Block<V>,
     /// The pixels of a step.
     length: usize,
-    /// From the next pixel to the end of the span.
-    pixels: usize,
 }
 
 impl<V: Components> Pieces<V> {
@@ -299,19 +311,19 @@ impl<V: Components> Pieces<V> {
             last,
             block: field.block,
             length,
-            pixels,
         }
     }
 
-    /// The next step, of which there is one: to a division after `length` pixels or at the span's
-    /// last pixel, where the triangle has a value.
+    /// The next step, with this many pixels from its first one to the end of the span, at least 1.
+    /// It leads to a division after `length` pixels or at the span's last pixel, where the triangle
+    /// has a value.
     #[inline(always)]
-    fn piece(&mut self) -> Piece<SteppedWalk<V>> {
+    fn piece(&mut self, left: usize) -> Piece<SteppedWalk<V>> {
         let (from, q) = (self.value, self.at.q());
         let (mut pixels, mut way) = (self.length, self.length);
         self.at = self.at.plus(&self.stride);
-        if self.pixels <= pixels {
-            (pixels, way) = (self.pixels, self.pixels - 1);
+        if left <= pixels {
+            (pixels, way) = (left, left - 1);
             self.at = self.last;
         }
         let (mut step, mut step_of_q) = (V::ZEROS, 0);
@@ -326,7 +338,6 @@ impl<V: Components> Pieces<V> {
                 step_of_q = shared(self.at.q().wrapping_sub(q) as i32, way);
             }
         }
-        self.pixels -= pixels;
         Piece {
             first: SteppedWalk::new(V::walk_from(from), self.block.inverse_w(q)),
             step: SteppedWalk::new(V::step_from(step), self.block.step_of_inverse_w(step_of_q)),
@@ -336,32 +347,32 @@ impl<V: Components> Pieces<V> {
 }
 
 /// For n from 1 to 64, 2^(15 + log2 n) / n, rounded: from 2^14 to 2^15. The upper half has log2 n,
-/// rounded down.
+/// rounded down. Modulo 64, so that 64 is the first.
 // codegen: a table of both, because a core without an instruction for logarithms takes long.
-const PARTS: [u32; 65] = {
-    let mut parts = [0; 65];
+const PARTS: [u32; 64] = {
+    let mut parts = [0; 64];
     let mut n = 1;
     while n <= 64 {
         let pixels = n as u32;
         let log2 = pixels.ilog2();
         let part = ((1 << (15 + log2)) + pixels / 2) / pixels;
-        parts[n] = part | log2 << 16;
+        parts[n % 64] = part | log2 << 16;
         n += 1;
     }
     parts
 };
 
-/// What a change over `pixels` pixels, up to 64, is multiplied and shifted to the right by, for
-/// that from each to the next: 2^15 times too much, and within 2^-15 of it. Over 0 pixels it is 0.
+/// What a change over `pixels` pixels, 1 to 64, is multiplied and shifted to the right by, for
+/// that from each to the next: 2^15 times too much, and within 2^-15 of it.
 #[inline(always)]
-pub(super) fn part(pixels: usize) -> (i32, u32) {
-    let part = PARTS.get(pixels).copied().unwrap_or(0);
+pub(super) const fn part(pixels: usize) -> (i32, u32) {
+    let part = PARTS[pixels % 64];
     ((part & 0xFFFF) as i32, part >> 16)
 }
 
 /// A change over `pixels` pixels, 1 to 64, as that from each to the next.
 #[inline(always)]
-fn shared(change: i32, pixels: usize) -> i32 {
+const fn shared(change: i32, pixels: usize) -> i32 {
     let (part, log2) = part(pixels);
     let (upper, lower) = (change >> 16, change & 0xFFFF);
     (2 * upper * part + ((lower * part) >> 15)) >> log2
