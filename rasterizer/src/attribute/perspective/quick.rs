@@ -230,6 +230,7 @@ impl<V: Components> QuickPieces<V> {
         let change = self.q.wrapping_sub(q).cast_signed() >> DROPPED;
         // dq / q1, from -3 to 3/4, in Q14.
         let ratio = (change * (reciprocal >> 2) + (1 << 13)) >> 14;
+        // A step of one pixel has no way: its changes are 0, and any part will do.
         let (part, log2) = part(way);
         let (mut first, mut step) = (self.base, self.quotients);
         for ((first, step), from) in first.as_mut().iter_mut().zip(step.as_mut()).zip(from.as_ref())
